@@ -13,6 +13,8 @@ namespace {
 
 /// View depth of the depth buffer's 1 [m]; depth is linear in floats, so this can be large.
 constexpr float FAR_DEPTH = 20000.0f;
+/// How near a camera may come to a plane, as a share of the scene's size.
+constexpr float CLEARANCE = 0.03f;
 const Vector3f KEY_TINT{1.0f, 0.955f, 0.89f};
 const Vector3f GROUND_ALBEDO{0.5f, 0.5f, 0.5f};
 
@@ -30,8 +32,7 @@ float roundLength(float size)
 
 }  // namespace
 
-gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, const SceneExtent& extent,
-                           const Camera& camera)
+gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, const SceneExtent& extent)
 {
     gpu::FrameInput input{};
     const LightSettings& light = settings.light;
@@ -47,10 +48,6 @@ gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, c
     input.width = settings.width * settings.antialiasing;
     input.height = settings.height * settings.antialiasing;
     input.particleCount = static_cast<uint32_t>(world.particles.size());
-    input.cameraMode = camera.mode();
-    input.followedBodyStart = camera.followed().start;
-    input.followedBodyCount = camera.followed().count;
-    input.tanHalfFov = camera.tanHalfFov();
     input.farDepth = FAR_DEPTH;
     input.pointSizeLimit = pointSizeLimit();
     input.speedScale = settings.speedScale;
@@ -59,6 +56,7 @@ gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, c
     input.patternScale = roundLength(0.25f * extent.size);
     input.groundFade = 9.0f * extent.size;
     input.resolveFactor = settings.antialiasing;
+    input.cameraClearance = CLEARANCE * extent.size;
     return input;
 }
 
@@ -71,10 +69,17 @@ void describeParticles(gpu::FrameInput& input, const ParticleView& view, bool ha
         std::round(static_cast<float>(SPACE_UNITS) * std::pow(0.5f * view.fluidSpacing / view.radius, 3.0f)));
 }
 
-void placeCamera(gpu::FrameInput& input, const CameraAim& aim, float passed)
+void placeCamera(gpu::FrameInput& input, const Camera& camera, double time, float passed)
 {
+    const CameraAim aim = camera.at(time);
     input.cameraPosition = vec4Of(aim.position);
     input.cameraTarget = vec4Of(aim.target);
+    input.cameraTurn = vec4Of(aim.turn);
+    input.cameraMode = camera.mode();
+    input.followedBodyStart = camera.followed().start;
+    input.followedBodyCount = camera.followed().count;
+    input.tanHalfFov = aim.tanHalfFov;
+    input.frameShare = camera.settings().fill;
     input.trackSeconds = passed;
 }
 

@@ -1,5 +1,8 @@
 #include "render/frame_snapshot.h"
 
+#include <algorithm>
+
+#include "render/view/framed_sets.h"
 #include "shared/gpu_types.h"
 
 namespace knuckle {
@@ -40,7 +43,9 @@ void FrameSnapshot::Fence::wait()
 FrameSnapshot::FrameSnapshot(const World& world, const RenderSettings& settings)
     : showsSpeeds_(settings.colorBy == ColorBy::Speed),
       showsRotations_(!world.skins.empty() || !world.bodyShapes.empty()),
-      showsCentres_(settings.camera.kind == CameraKind::Follow || showsRotations_)
+      showsCentres_(showsRotations_ ||
+                    std::ranges::any_of(shotsOf(settings),
+                                        [](const Shot& shot) { return shot.camera.kind == CameraKind::Follow; }))
 {
 }
 

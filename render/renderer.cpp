@@ -16,6 +16,7 @@
 #include "render/skins/skin_pass.h"
 #include "render/spheres/sphere_pass.h"
 #include "render/unseen.h"
+#include "render/view/framed_sets.h"
 #include "render/view/view_passes.h"
 #include "sim/base/errors.h"
 
@@ -26,6 +27,7 @@ struct Renderer::Impl {
     Impl(Gpu& gpu, const World& world, const RenderSettings& chosen);
     BufferTable& addInputs();  ///< Adds to the table, which it returns.
     void attach(const ParticleView& view);
+    /// @param time of the film [s].
     void aimCamera(double time);
     /// Draws what casts shadows and what is visible, with the light that reaches it.
     void drawSurfaces(bool withSkins, bool withParticles);
@@ -33,12 +35,15 @@ struct Renderer::Impl {
 
     RenderSettings settings;
     SceneExtent extent;
-    Camera camera;
+    std::vector<Shot> shots;
+    std::vector<Camera> cameras;  ///< Of the shots.
+    FramedSets framed;            ///< Of the same.
     gpu::FrameInput input;
     bool beads;                      ///< Whether fluids are drawn as spheres.
-    std::optional<double> lookedAt;  ///< Time of the state at the camera's last look [s].
+    std::optional<double> lookedAt;  ///< Time of the film at the camera's last look [s].
     Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
-    Buffer<uint32_t> unseen;
+    Buffer<uint32_t> unseen, framedParticles;
+    Buffer<gpu::vec4> planes;
     RawBuffer positions, velocities, bodyCentres, bodyRotations, colliderPlaces;  ///< Stand in for the view's.
     RawBuffer foamPlaces;                                                         ///< The same.
     uint32_t foamCount = 0;
@@ -59,12 +64,15 @@ struct Renderer::Impl {
 };
 
 Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
-    : settings((checkSettings(chosen), chosen)), extent(sceneExtent(world)),
-      camera(settings.camera, world, float(settings.width) / float(settings.height)),
-      input(frameInput(world, settings, extent, camera)), beads(drawsFluids(world, settings, DrawnAs::Particles)),
+    : settings((checkSettings(chosen), chosen)), extent(sceneExtent(world)), shots(shotsOf(settings)),
+      cameras(camerasOf(shots, world, float(settings.width) / float(settings.height))),
+      framed(framedSets(shots, world)), input(frameInput(world, settings, extent)),
+      beads(drawsFluids(world, settings, DrawnAs::Particles)),
       unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
+      framedParticles("framedParticles", std::span<const uint32_t>(framed.words)),
+      planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))),
       targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface)),
-      view(gpu, addInputs(), !world.unseen.empty()), looks(table, world, settings),
+      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), looks(table, world, settings),
       lists(gpu, table, world, targets.hasSurfaces()), colliders(gpu, table, world, extent, targets),
       skins(gpu, table, world, targets), shapes(gpu, table, world, settings, targets),
       spheres(gpu, table, world, settings, targets), fluids(gpu, table, world, targets),
@@ -72,6 +80,7 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets),
       reader(settings.width, settings.height)
 {
+    input.cameraPlaneCount = static_cast<uint32_t>(planes.size());
     gpu.checkErrors();
 }
 
@@ -79,7 +88,7 @@ BufferTable& Renderer::Impl::addInputs()
 {
     targets.addTo(table);
     table.add(Lifetime::Scratch, inputBuffer);
-    table.add(Lifetime::Constant, unseen);
+    table.add(Lifetime::Constant, unseen, framedParticles, planes);
     table.add("positions", positions, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("velocities", velocities, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("bodyCentres", bodyCentres, elementType<gpu::vec4>(), Lifetime::Scratch);
@@ -110,9 +119,13 @@ void Renderer::Impl::attach(const ParticleView& shown)
 
 void Renderer::Impl::aimCamera(double time)
 {
-    const float passed = lookedAt ? static_cast<float>(std::max(0.0, time - *lookedAt)) : -1.0f;
+    const size_t shot = shotAt(shots, time);
+    // A camera that has been cut to sees for the first time.
+    const bool goesOn = lookedAt && shotAt(shots, *lookedAt) == shot;
+    const float passed = goesOn ? static_cast<float>(std::max(0.0, time - *lookedAt)) : -1.0f;
     lookedAt = time;
-    placeCamera(input, camera.at(time), passed);
+    placeCamera(input, cameras[shot], time, passed);
+    input.framedBit = framed.bits[shot];
     inputBuffer.upload({&input, 1});
     view.aim(timer);
 }

@@ -20,7 +20,7 @@ Workload drawingWorkload(const RenderSettings& settings);
 /// things. With the same World, settings, program and driver, a renderer that loads it continues with the same
 /// pictures.
 struct RendererState {
-    std::optional<double> lookedAt;  ///< Time of the state at the camera's last look [s].
+    std::optional<double> lookedAt;  ///< Time of the film at the camera's last look [s].
     BufferState buffers;
 };
 
@@ -35,8 +35,9 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Draws one frame and starts the copy of its picture; `time` [s] moves the camera. Uploads only one small uniform
-    /// block. @throws RunError if the view does not fit the world that the renderer was made for.
+    /// Draws one frame and starts the copy of its picture; `time` of the film [s] chooses the shot and moves its
+    /// camera. Uploads only one small uniform block.
+    /// @throws RunError if the view does not fit the world that the renderer was made for.
     void draw(const ParticleView& view, double time);
     /// Shows a state to the camera without drawing it: a camera that follows or frames moving things remembers its
     /// place, so that a frame looks the same whether or not earlier ones are drawn.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/base/errors.h"
 
 namespace knuckle {
@@ -14,7 +16,24 @@ void requireRange(double value, double low, double high, const char* field)
     throw InputError(fmt::format("{}: {} is outside {} ... {}", field, value, low, high));
 }
 
+void checkCamera(const CameraSettings& camera)
+{
+    requireRange(camera.fieldOfView, 5, 120, "camera.fieldOfView");
+    requireRange(camera.roll, -360, 360, "camera.roll");
+    requireRange(camera.fill, 0.2, 1, "camera.fill");
+    requireRange(camera.shake.amplitude, 0, 20, "camera.shake.amplitude");
+    requireRange(camera.shake.frequency, 0.01, 20, "camera.shake.frequency");
+    for (const CameraKey& key : camera.keys) requireRange(key.fieldOfView, 5, 120, "camera.keys.fieldOfView");
+}
+
 }  // namespace
+
+size_t shotAt(const std::vector<Shot>& shots, double time)
+{
+    constexpr double ROUNDING = 1e-6;  // a frame at the time of a cut is the new shot's first, [s]
+    const auto next = std::ranges::find_if(shots, [&](const Shot& shot) { return shot.from > time + ROUNDING; });
+    return static_cast<size_t>(std::max<std::ptrdiff_t>(next - shots.begin() - 1, 0));
+}
 
 void checkSettings(const RenderSettings& settings)
 {
@@ -27,7 +46,8 @@ void checkSettings(const RenderSettings& settings)
     requireRange(settings.speedScale, 1e-6, 1e6, "render.speedScale");
     requireRange(settings.light.intensity, 0, 20, "light.intensity");
     requireRange(settings.light.softness, 0, 20, "light.softness");
-    requireRange(settings.camera.fieldOfView, 5, 120, "camera.fieldOfView");
+    checkCamera(settings.camera);
+    for (const Shot& shot : settings.shots) checkCamera(shot.camera);
     if (!(settings.light.direction.norm() > 1e-6f))
         throw InputError("light.direction: it has no length; point it towards the light");
 }

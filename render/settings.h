@@ -2,22 +2,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <string>
+#include <vector>
+
+#include "render/camera_settings.h"
 
 namespace knuckle {
-
-enum class CameraKind : uint32_t { Fixed, Orbit, Follow };
-
-struct CameraSettings {
-    CameraKind kind = CameraKind::Fixed;
-    bool automatic = true;                       ///< Chooses position and target in each frame so that everything is
-                                                 ///< visible.
-    Eigen::Vector3f position{4.0f, 2.5f, 6.0f};  ///< [m]; Follow: from the object's middle.
-    Eigen::Vector3f target{0.0f, 1.0f, 0.0f};    ///< [m]; Orbit: the centre. Follow: from the object's middle.
-    float fieldOfView = 40.0f;                   ///< Vertical [degrees], 5 ... 120.
-    float orbitSpeed = 15.0f;                    ///< Orbit only [degrees/s], about +Y.
-    std::string follow;                          ///< Follow only: name of the object whose middle it follows.
-};
 
 struct LightSettings {
     Eigen::Vector3f direction{-0.5f, 0.85f, 0.45f};  ///< Towards the key light; normalized when used.
@@ -31,7 +20,8 @@ enum class ColorBy : uint32_t { Body, Material, Particle, Speed };
 
 struct RenderSettings {
     uint32_t width = 1280, height = 720;  ///< [pixels], 16 ... 8192
-    CameraSettings camera;
+    CameraSettings camera;                ///< Of a film without shots.
+    std::vector<Shot> shots;              ///< In order; empty: one camera, at the pace of the simulation.
     LightSettings light;
     ColorBy colorBy = ColorBy::Body;
     bool highlightJoints = false;  ///< Shared particles red, as in the paper's figures.

@@ -61,6 +61,19 @@ void requireSameScale(const Scene& scene, const StatesFile& states)
                          facts.diameter, scene.world.diameter(), facts.diameter));
 }
 
+/// Frames of both are counted in steps.
+void requireFullSpeed(const Scene& scene, const StatesFile& states)
+{
+    const RunFacts& facts = states.facts();
+    if (!scene.clock.isEven())
+        failAt(scene.file, "/shots", "a scene with `start` has no slow motion; let `timeScale` be 1 in all of them");
+    if (!facts.document.empty() && !storedClock(facts.source.file, facts.document, facts.stepsPerFrame).isEven())
+        fail(scene, "from",
+             fmt::format("{} is of a film with slow motion, from which nothing goes on; record it without: --set "
+                         "'shots=[]'",
+                         states.path()));
+}
+
 /// The scene of the states, as it was in their run.
 World worldOf(const Scene& scene, const StatesFile& states)
 {
@@ -146,6 +159,7 @@ std::unique_ptr<Branch> openBranch(const Scene& scene)
     const StatesFile states(scene.start->file);
     const RunFacts& facts = states.facts();
     requireSameScale(scene, states);
+    requireFullSpeed(scene, states);
     auto branch = std::make_unique<Branch>();
     branch->file = states.path();
     branch->fingerprint = facts.fingerprint;

@@ -23,7 +23,8 @@ namespace {
 constexpr double DEFAULT_CHECKPOINT_SECONDS = 30.0;
 
 struct RenderOptions {
-    std::string scene, frames, size, framesPerSecond, from, resume;
+    std::string scene, frames, size, framesPerSecond, camera, from, resume;
+    bool turntable = false;
     std::vector<std::string> outputs, sets, exports, records;
     FilmOptions film;
 };
@@ -73,6 +74,10 @@ std::vector<Override> overridesOf(const RenderOptions& options)
     }
     if (!options.framesPerSecond.empty())
         overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
+    if (!options.camera.empty() && options.turntable)
+        throw InputError("--turntable: is a camera of its own; leave out --camera");
+    const std::string camera = options.turntable ? "turntable" : options.camera;
+    if (!camera.empty()) overrides.push_back({"render.camera", camera});
     return overrides;
 }
 
@@ -154,6 +159,9 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", named, warning));
+    if (!exporters.empty() && !scene.clock.isEven())
+        throw InputError("--export: frames of slow motion and of what stands still are none of the simulation; export "
+                         "without them: --set 'shots=[]'");
     const std::unique_ptr<Branch> branch = states ? nullptr : openBranch(scene);
     film.branch = branch.get();
     film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
@@ -177,6 +185,7 @@ constexpr const char* MORE_NOTES =
     "Examples:\n"
     "  knuckle render assets/scenes/hello.json --size 640x360\n"
     "  knuckle render assets/scenes/pile.json -o pile.mp4 --set solver.substeps=8 --stats pile.stats.json\n"
+    "  knuckle render assets/scenes/ragdoll.json --turntable -o around.mp4\n"
     "  knuckle render assets/scenes/ragdoll.json --frames 100:120 --export ply=out/particles";
 
 }  // namespace
@@ -201,6 +210,12 @@ void addRenderCommand(CommandLine line)
     command->add_option("--size", options->size, "Pixels of a frame [the scene's, 1280x720]")->type_name("WxH");
     command->add_option("--fps", options->framesPerSecond, "Frames per second, as 30 or 24000/1001 [the scene's, 60]")
         ->type_name("N");
+    command
+        ->add_option("--camera", options->camera,
+                     "Film everything by this one of the scene's cameras, or by auto, which sees all that moves "
+                     "[as its shots say]")
+        ->type_name("NAME|auto");
+    command->add_flag("--turntable", options->turntable, "Go once around everything, in the whole film");
     list("--set", options->sets,
          "Change a field of the scene, as solver.substeps=8, or /solver/substeps=8 as errors tell it", "PATH=VALUE");
     command->add_option("--stats", options->film.stats, "Write figures of the run")->type_name("FILE");

@@ -9,6 +9,7 @@
 
 #include "app/export/frame_export.h"
 #include "app/film/film_outputs.h"
+#include "app/film/film_steps.h"
 #include "app/film/run_figures.h"
 #include "app/run/counted.h"
 #include "app/run/interrupt.h"
@@ -31,7 +32,7 @@ public:
         : scene_(scene), options_(options), begin_(options.branch ? options.branch->frame : 1),
           range_(options.frames.of(scene, begin_)), checkpoint_(openCheckpoint()),
           outputs_(scene, options, range_, std::move(exporters), checkpoint_.get()), gpu_(openGpu(common, work())),
-          solver_(*gpu_, options.branch ? options.branch->world(scene) : scene.world),
+          solver_(*gpu_, options.branch ? options.branch->world(scene) : scene.world), steps_(*gpu_, scene, solver_),
           progress_("frame", range_.last, common.quiet), quiet_(common.quiet), done_(begin_ - 1)
     {
         const bool timed = outputs_.stats.has_value();
@@ -97,6 +98,7 @@ private:
         if (!state) return false;
         try {
             solver_.loadState(state->solver);
+            steps_.goOn(state->frame, state->between);
             if (drawing_ && state->renderer) drawing_->loadState(*state->renderer);
         } catch (const std::logic_error& error) {
             throw InputError(fmt::format("{}: cannot go on from the other run's state: {}; begin anew without --resume",
@@ -112,6 +114,7 @@ private:
     {
         if (!quiet_) tellBranch(branch);
         knuckle::beginBranch(branch, *gpu_, scene_, solver_, drawing_.get());
+        steps_.goOn(begin_, {});
         progress_.begin(done_);
     }
 
@@ -158,12 +161,12 @@ private:
         if (measured && drawing_) drawing_->wait();
         {
             const Stopwatch watch(figures_.simulationSeconds);
-            for (uint32_t i = 0; i < scene_.stepsPerFrame; ++i) step(frame);
+            steps_.advance(frame, [&] { step(frame); });
             if (measured) solver_.checkCounters(frame);
         }
         if (drawing_) drawing_->fetch();
         if (!measured) solver_.checkCounters(frame);
-        figures_.steps += scene_.stepsPerFrame;
+        figures_.steps += scene_.clock.at(frame).steps - scene_.clock.at(frame - 1).steps;
     }
 
     void tellLeftOut() const
@@ -199,8 +202,8 @@ private:
         if (drawing_) {
             const bool drawn = wanted && outputs_.wantsPicture(frame);
             const bool labelled = drawn && outputs_.hasLabels();
-            drawing_->take(solver_.view(),
-                           {frame, time, drawn, labelled ? labelsOf(facts_, frame, solver_.stateHash()) : PngText()});
+            drawing_->take(steps_.view(),
+                           {frame, time, drawn, labelled ? labelsOf(facts_, frame, steps_.stateHash()) : PngText()});
         }
         const FrameRecord record = readBack(frame, wanted);
         if (checkpoint_) checkpoint_->log(record);
@@ -218,7 +221,7 @@ private:
     {
         const ExportNeeds needs = exported ? outputs_.needs : ExportNeeds{};
         FrameRecord record{.number = frame};
-        if (needs.particles || (recording_ && recording_->wantsView(frame))) record.view = solver_.readView();
+        if (needs.particles || (recording_ && recording_->wantsView(frame))) record.view = steps_.readView();
         else if (needs.bodies) record.bodies = solver_.readBodies();
         if (needs.measures) record.measures = solver_.measure();
         if (recording_ && recording_->wantsState(frame)) record.state = saveState(frame);
@@ -227,7 +230,7 @@ private:
 
     RunState saveState(uint64_t frame)
     {
-        RunState state{.frame = frame, .solver = solver_.saveState()};
+        RunState state{.frame = frame, .solver = solver_.saveState(), .between = steps_.saveState()};
         if (drawing_) state.renderer = drawing_->saveState();
         return state;
     }
@@ -248,6 +251,7 @@ private:
     FilmOutputs outputs_;
     std::unique_ptr<Gpu> gpu_;
     Solver solver_;
+    FilmSteps steps_;
     std::unique_ptr<FrameDrawing> drawing_;
     std::optional<ReleaseLog> releases_;
     RunFacts facts_;

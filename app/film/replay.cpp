@@ -32,6 +32,13 @@ void requireSameWorld(const StatesFile& states, const Scene& scene)
     if (facts.framesPerSecond != scene.framesPerSecond)
         throw InputError(fmt::format("{}: has {} frames a second, the scene {}; set fps={}", states.path(),
                                      facts.framesPerSecond, scene.framesPerSecond, facts.framesPerSecond));
+    const FilmClock clock = facts.document.empty()
+                                ? FilmClock(facts.framesPerSecond, facts.stepsPerFrame, {})
+                                : storedClock(facts.source.file, facts.document, facts.stepsPerFrame);
+    if (clock != scene.clock)
+        throw InputError(fmt::format("{}: its frames are of other moments than the scene's: give shots the `from` and "
+                                     "`timeScale` of its run, and any camera",
+                                     states.path()));
 }
 
 /// The file's frames among those wanted.

@@ -119,9 +119,9 @@ private:
                                              golden_.path(), at.frame));
             item.state.emplace();
             const StoredFrame stored = stored_.read(at.frame);
-            const ViewState now = at.solver.readView();
+            const ViewState now = at.state.readView();
             // The hash is of particles alone.
-            const bool sameParticles = hashText(at.solver.stateHash()) == known->second;
+            const bool sameParticles = hashText(at.state.stateHash()) == known->second;
             if (sameParticles && sameColliders(stored.view, now)) {
                 item.entry.line = "the same bits";
                 return;

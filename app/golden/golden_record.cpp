@@ -22,8 +22,8 @@ std::vector<StoredFrame> simulateStates(const Golden& golden, GoldenScene& scene
 {
     std::vector<StoredFrame> frames;
     scene.simulate(golden.frames, true, [&](const GoldenScene::Simulated& at) {
-        record.states[at.frame] = hashText(at.solver.stateHash());
-        frames.push_back({at.frame, at.solver.readView(), at.camera->saveState()});
+        record.states[at.frame] = hashText(at.state.stateHash());
+        frames.push_back({at.frame, at.state.readView(), at.camera->saveState()});
         compact(frames.back().view, scene.scene());
     });
     return frames;

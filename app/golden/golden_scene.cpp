@@ -43,17 +43,18 @@ void GoldenScene::simulate(const std::vector<uint64_t>& frames, bool withCamera,
                            const std::function<void(const Simulated&)>& show)
 {
     Solver solver(gpu_, scene_.world);
+    FilmSteps steps(gpu_, scene_, solver);
     std::optional<Renderer> camera;
     if (withCamera) camera.emplace(gpu_, scene_.world, scene_.render);
     auto next = frames.begin();
     for (uint64_t frame = 1; next != frames.end(); ++frame) {
-        for (uint32_t i = 0; frame > 1 && i < scene_.stepsPerFrame; ++i) solver.step();
+        if (frame > 1) steps.advance(frame, [&] { solver.step(); });
         if (frame > 1) solver.checkCounters(frame);
         if (frame == *next) {
-            show({frame, solver, camera ? &*camera : nullptr});
+            show({frame, steps, camera ? &*camera : nullptr});
             ++next;
         }
-        if (camera) camera->look(solver.view(), scene_.timeOf(frame));
+        if (camera) camera->look(steps.view(), scene_.timeOf(frame));
         interrupt_.check();
     }
     gpu_.checkErrors();

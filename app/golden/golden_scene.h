@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/film/film_steps.h"
 #include "app/golden/golden_file.h"
 #include "app/golden/golden_states.h"
 #include "app/run/interrupt.h"
@@ -27,7 +28,7 @@ public:
     /// What the device has at a frame.
     struct Simulated {
         uint64_t frame;
-        Solver& solver;
+        FilmSteps& state;
         Renderer* camera;  ///< Has seen all frames before; null: none was asked for.
     };
     /// Simulates up to the last of `frames`, and shows each.

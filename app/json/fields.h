@@ -44,6 +44,10 @@ struct EnumWords<CameraKind> {
     static constexpr std::array WORDS{"fixed", "orbit", "follow"};
 };
 template <>
+struct EnumWords<Easing> {
+    static constexpr std::array WORDS{"smooth", "linear", "easeIn", "easeOut", "easeInOut", "hold"};
+};
+template <>
 struct EnumWords<ColorBy> {
     static constexpr std::array WORDS{"body", "material", "particle", "speed"};
 };
@@ -194,6 +198,7 @@ void visitFields(Collider& c, Visitor&& visit)
     visit("visible", c.visible);
 }
 
+/// All except keys, shake and whom it frames or looks at.
 template <typename Visitor>
 void visitFields(CameraSettings& c, Visitor&& visit)
 {
@@ -202,8 +207,18 @@ void visitFields(CameraSettings& c, Visitor&& visit)
     visit("position", c.position);
     visit("target", c.target);
     visit("fieldOfView", c.fieldOfView);
+    visit("roll", c.roll);
     visit("orbitSpeed", c.orbitSpeed);
     visit("follow", c.follow);
+    visit("fill", c.fill);
+}
+
+template <typename Visitor>
+void visitFields(CameraShake& s, Visitor&& visit)
+{
+    visit("amplitude", s.amplitude);
+    visit("frequency", s.frequency);
+    visit("seed", s.seed);
 }
 
 template <typename Visitor>

@@ -12,12 +12,12 @@
 #include "app/scene/colliders/scene_colliders.h"
 #include "app/scene/matter/scene_emitters.h"
 #include "app/scene/matter/soft_limits.h"
+#include "app/scene/picture/scene_picture.h"
 #include "app/scene/scene_context.h"
 #include "app/scene/scene_document.h"
 #include "app/scene/scene_forces.h"
 #include "app/scene/scene_materials.h"
 #include "app/scene/scene_objects.h"
-#include "app/scene/scene_picture.h"
 #include "sim/base/errors.h"
 #include "sim/base/fnv_hash.h"
 
@@ -47,10 +47,10 @@ std::optional<FinestActor> finestActor(SceneFiles& files, const Json& objects)
     return finest;
 }
 
-/// A longer film of the same scene has the same hash.
+/// A longer film of the same scene has the same hash, unless its camera goes around once in it.
 uint64_t hashOf(Json root)
 {
-    root.erase("duration");
+    if (root["render"]["camera"] != "turntable") root.erase("duration");
     root.erase("description");
     FnvHash hash;
     hash.add(std::string_view(root.dump()));
@@ -82,6 +82,18 @@ std::vector<std::string> filesOf(const SceneContext& context)
     std::ranges::sort(files);
     files.erase(std::unique(files.begin(), files.end()), files.end());
     return files;
+}
+
+/// What cameras may name.
+NamedParticles namedParticles(const SceneContext& context, const World& world)
+{
+    NamedParticles named = context.particles;
+    // Fluids, whose particles stand behind all others.
+    for (const LooseGroup& group : world.looseGroups) named[group.name].push_back({group.first, group.end});
+    for (auto& [name, ranges] : named)
+        std::erase_if(ranges, [](const ParticleRange& range) { return range.first == range.end; });
+    std::erase_if(named, [](const auto& entry) { return entry.second.empty(); });
+    return named;
 }
 
 }  // namespace
@@ -136,7 +148,8 @@ Scene sceneOf(const SceneDocument& document, bool drawn)
             fmt::format("/solver/substeps: {} are too few for fluid as deep as this: {} are taken", settings.substeps,
                         scene.world.settings.substeps));
     for (std::string& limit : softLimits(scene.world)) context.warnings.push_back(std::move(limit));
-    scene.render = readPicture(document.file, scene.world);
+    scene.render = readPicture(document.file, scene.world, namedParticles(context, scene.world));
+    scene.clock = FilmClock(scene.framesPerSecond, scene.stepsPerFrame, scene.render.shots);
     scene.files = filesOf(context);
     if (root.contains("start")) {
         scene.start = {files.beside(root["start"]["from"]), root["start"]["frame"]};
@@ -154,6 +167,14 @@ Scene sceneOf(const SceneDocument& document, bool drawn)
 Scene loadScene(const std::string& path, const std::vector<Override>& overrides, bool drawn)
 {
     return sceneOf(readSceneDocument(path, overrides), drawn);
+}
+
+FilmClock storedClock(const std::string& path, const std::string& document, uint32_t stepsPerFrame)
+{
+    const Json root = storedSceneDocument(path, document).file.root;
+    std::vector<Shot> shots;
+    for (const Json& shot : root["shots"]) shots.push_back({.from = shot["from"], .timeScale = shot["timeScale"]});
+    return FilmClock(root["fps"], stepsPerFrame, shots);
 }
 
 Scene loadStoredScene(const std::string& path, const std::string& document)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/scene/overrides.h"
+#include "app/scene/picture/film_clock.h"
 #include "render/settings.h"
 #include "sim/rig/actor.h"
 #include "sim/rig/import/imports.h"
@@ -36,7 +37,7 @@ struct Scene {
     World world;
     RenderSettings render;
     double framesPerSecond = 60.0;
-    double duration = 0.0;  ///< [s]
+    double duration = 0.0;  ///< Of the film [s].
     std::vector<SceneActor> actors;
     std::shared_ptr<Imports> imports;   ///< The models that were read for it.
     std::vector<std::string> files;     ///< All files read for it, except its own.
@@ -44,10 +45,11 @@ struct Scene {
     std::vector<std::string> warnings;  ///< Things not drawn as the file says: a run prints these, too.
     uint64_t documentHash = 0;          ///< Of the file with all defaults, except `duration` and `description`.
     uint32_t stepsPerFrame = 1;         ///< World::settings.timeStep is 1 / (framesPerSecond * stepsPerFrame).
+    FilmClock clock;                    ///< How many of them a frame takes, where there is slow motion.
 
     /// Frame 1 shows time 0.
     uint64_t frameCount() const;
-    /// [s]
+    /// Of the film [s].
     double timeOf(uint64_t frame) const { return static_cast<double>(frame - 1) / framesPerSecond; }
 };
 
@@ -58,6 +60,9 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides 
 
 /// The same from Scene::document. @param path of the scene's file, beside which other files are searched.
 Scene loadStoredScene(const std::string& path, const std::string& document);
+
+/// The clock of a scene from Scene::document. @param stepsPerFrame of its run.
+FilmClock storedClock(const std::string& path, const std::string& document, uint32_t stepsPerFrame);
 
 /// The number of steps a frame for which 1 / (framesPerSecond * steps) is nearest to `timeStep` [s].
 uint32_t stepsForFrame(double framesPerSecond, double timeStep);

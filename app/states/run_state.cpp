@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <span>
+#include <utility>
 
 #include "app/json/json.h"
 
@@ -12,7 +13,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr std::string_view SOLVER = "solver/", RENDERER = "renderer/";
+constexpr std::string_view SOLVER = "solver/", RENDERER = "renderer/", BETWEEN = "between/";
 
 std::string stateBlock(uint64_t frame, std::string_view part)
 {
@@ -67,6 +68,7 @@ std::vector<std::string> packState(const RunState& state)
         packArray(stateBlock(state.frame, "parameters"), std::span(&state.solver.stages.parameters, 1))};
     packBuffers(stateBlock(state.frame, SOLVER), state.solver.stages.buffers, blocks);
     if (state.renderer) packBuffers(stateBlock(state.frame, RENDERER), state.renderer->buffers, blocks);
+    if (state.between) packBuffers(stateBlock(state.frame, BETWEEN), *state.between, blocks);
     return blocks;
 }
 
@@ -92,6 +94,8 @@ RunState unpackState(const BlockReader& file, uint64_t frame)
     if (parameters.size() != 1) file.refuse("was written by another version of the program");
     state.solver.stages.parameters = parameters[0];
     state.solver.stages.buffers = unpackBuffers(file, stateBlock(frame, SOLVER));
+    BufferState between = unpackBuffers(file, stateBlock(frame, BETWEEN));
+    if (!between.empty()) state.between = std::move(between);
     if (!about.value("drawn", false)) return state;
     state.renderer.emplace();
     if (about.contains("lookedAt")) state.renderer->lookedAt = about["lookedAt"].get<double>();

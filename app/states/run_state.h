@@ -15,6 +15,7 @@ struct RunState {
     uint64_t frame = 1;  ///< The frame that shows it.
     SolverState solver;
     std::optional<RendererState> renderer = {};  ///< None: nothing was drawn.
+    std::optional<BufferState> between = {};     ///< What is drawn before the last step; none: the frame is after it.
 };
 
 /// Blocks "state N/...".

@@ -69,10 +69,13 @@ RunFacts factsOf(const Scene& scene, const Gpu& gpu, SceneSource source)
 bool haveSameCamera(const Scene& scene, const RunFacts& facts)
 {
     if (facts.document.empty()) return false;
-    const auto camera = [](const std::string& document, const std::string& file) {
-        return storedSceneDocument(file, document).file.root["camera"];
+    const auto cameras = [](const std::string& document, const std::string& file) {
+        const Json root = storedSceneDocument(file, document).file.root;
+        const Json& only = root["render"]["camera"];
+        return Json::array(
+            {root["camera"], root["cameras"], root["shots"], only, only == "turntable" ? root["duration"] : Json()});
     };
-    return camera(facts.document, facts.source.file) == camera(scene.document, scene.file);
+    return cameras(facts.document, facts.source.file) == cameras(scene.document, scene.file);
 }
 
 StatesWriter::StatesWriter(const std::string& path, const Scene& scene, const RunFacts& facts)

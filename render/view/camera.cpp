@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "render/unseen.h"
+#include "render/view/camera_keys.h"
+#include "render/view/camera_shake.h"
 #include "sim/base/angles.h"
 #include "sim/base/errors.h"
 #include "sim/world/space/bounds.h"
@@ -30,13 +32,6 @@ AlignedBox3f grown(AlignedBox3f box, float sideways, float upwards)
     box.min() -= Vector3f(sideways, upwards, sideways);
     box.max() += Vector3f(sideways, upwards, sideways);
     return box;
-}
-
-bool moves(const World& world, uint32_t collider)
-{
-    return std::ranges::any_of(world.colliderMotions, [&](const ColliderMotion& motion) {
-        return collider >= motion.firstCollider && collider - motion.firstCollider < motion.places.size();
-    });
 }
 
 /// The start, and some later times at which moving things reach most of their places [s].
@@ -91,6 +86,13 @@ float reachOf(const World& world, const Object& object)
 
 }  // namespace
 
+bool moves(const World& world, uint32_t collider)
+{
+    return std::ranges::any_of(world.colliderMotions, [&](const ColliderMotion& motion) {
+        return collider >= motion.firstCollider && collider - motion.firstCollider < motion.places.size();
+    });
+}
+
 SceneExtent sceneExtent(const World& world)
 {
     SceneExtent extent;
@@ -116,34 +118,46 @@ SceneExtent sceneExtent(const World& world)
     return extent;
 }
 
-Camera::Camera(const CameraSettings& settings, const World& world, float aspect)
-    : start_{settings.position, settings.target}, tanHalfFov_(std::tan(0.5f * settings.fieldOfView * DEGREE))
+Camera::Camera(const CameraSettings& settings, const World& world, float aspect) : settings_(settings)
 {
     if (settings.kind == CameraKind::Orbit) orbitSpeed_ = settings.orbitSpeed * DEGREE;
     if (settings.automatic) {
         mode_ = settings.kind == CameraKind::Orbit ? CAMERA_FRAMES_AROUND : CAMERA_FRAMES;
-        start_ = {Vector3f(std::sin(PLEASANT_AZIMUTH) * std::cos(PLEASANT_ELEVATION), std::sin(PLEASANT_ELEVATION),
-                           std::cos(PLEASANT_AZIMUTH) * std::cos(PLEASANT_ELEVATION)),
-                  Vector3f::Zero()};
+        settings_.position = {std::sin(PLEASANT_AZIMUTH) * std::cos(PLEASANT_ELEVATION), std::sin(PLEASANT_ELEVATION),
+                              std::cos(PLEASANT_AZIMUTH) * std::cos(PLEASANT_ELEVATION)};
+        settings_.target = Vector3f::Zero();
     }
+    if (settings.attention == CameraAttention::Frame)
+        mode_ = settings.kind == CameraKind::Orbit ? CAMERA_FRAMES_AROUND : CAMERA_FRAMES;
+    if (settings.attention == CameraAttention::LookAt) mode_ = CAMERA_LOOKS;
     if (settings.kind == CameraKind::Follow) {
         const Object& object = followedObject(world, settings.follow);
         mode_ = CAMERA_FOLLOWS;
         followed_ = {object.bodyStart, object.bodyCount};
-        const float slope = FOLLOWED_SHARE * tanHalfFov_ * std::min(1.0f, aspect);
+        const float slope = FOLLOWED_SHARE * std::tan(0.5f * settings.fieldOfView * DEGREE) * std::min(1.0f, aspect);
         // A sphere touches the view cone at a sine.
-        if (settings.automatic) start_.position *= reachOf(world, object) * std::sqrt(1.0f + 1.0f / (slope * slope));
+        if (settings.automatic) settings_.position *= reachOf(world, object) * std::sqrt(1.0f + 1.0f / (slope * slope));
     }
-    if (!(start_.position - start_.target).allFinite() || (start_.position - start_.target).norm() < 1e-6f)
+    const Vector3f arm = settings_.position - settings_.target;
+    if (settings_.keys.empty() && (!arm.allFinite() || arm.norm() < 1e-6f))
         throw InputError("camera.position: it is the camera's target; move one of them");
 }
 
 CameraAim Camera::at(double time) const
 {
-    if (orbitSpeed_ == 0.0f) return start_;
-    const auto turn = static_cast<float>(std::remainder(orbitSpeed_ * time, 2.0 * std::numbers::pi));
-    const Vector3f arm = start_.position - start_.target;
-    return {start_.target + Eigen::AngleAxisf(turn, Vector3f::UnitY()) * arm, start_.target};
+    CameraPose pose{settings_.position, settings_.target, settings_.fieldOfView, settings_.roll};
+    if (!settings_.keys.empty()) pose = poseAt(settings_.keys, time);
+    if (orbitSpeed_ != 0.0f) {
+        const auto turn = static_cast<float>(std::remainder(orbitSpeed_ * time, 2.0 * std::numbers::pi));
+        const Vector3f arm = pose.position - pose.target;
+        pose.position = pose.target + Eigen::AngleAxisf(turn, Vector3f::UnitY()) * arm;
+    }
+    // Keys may cross: then it looks along -z for a moment instead of nowhere.
+    if ((pose.position - pose.target).norm() < 1e-6f) pose.target = pose.position - Vector3f::UnitZ();
+    CameraAim aim{
+        pose.position, pose.target, {0.0f, 0.0f, pose.roll * DEGREE}, std::tan(0.5f * pose.fieldOfView * DEGREE)};
+    if (settings_.shake.amplitude > 0.0f) aim.turn += shakeAt(settings_.shake, time);
+    return aim;
 }
 
 }  // namespace knuckle

@@ -20,9 +20,14 @@ struct SceneExtent {
 
 SceneExtent sceneExtent(const World& world);
 
+/// Whether a clip moves the collider.
+bool moves(const World& world, uint32_t collider);
+
 /// A camera at one moment, before the GPU moves it: an offset from what it follows, or the side that it looks from.
 struct CameraAim {
-    Vector3f position, target;
+    Vector3f position, target;  ///< [m]
+    Vector3f turn;              ///< To the left, up, and counter-clockwise, after it is aimed [rad].
+    float tanHalfFov = 0.0f;    ///< Vertical.
 };
 
 /// Bodies one after another.
@@ -30,23 +35,23 @@ struct BodyRange {
     uint32_t start = 0, count = 0;
 };
 
-/// The camera of a scene, as far as the host knows it.
+/// A camera of a scene, as far as the host knows it.
 class Camera {
 public:
     /// @throws InputError for an unknown object, or if position and target are equal.
     Camera(const CameraSettings& settings, const World& world, float aspect);
 
+    /// @param time of the film [s].
     CameraAim at(double time) const;
     /// CAMERA_FIXED, ...
     uint32_t mode() const { return mode_; }
     /// CAMERA_FOLLOWS: the object's bodies.
     BodyRange followed() const { return followed_; }
-    float tanHalfFov() const { return tanHalfFov_; }
+    const CameraSettings& settings() const { return settings_; }
 
 private:
-    CameraAim start_;
+    CameraSettings settings_;
     float orbitSpeed_ = 0.0f;  ///< [rad/s]
-    float tanHalfFov_;
     uint32_t mode_ = CAMERA_FIXED;
     BodyRange followed_;
 };

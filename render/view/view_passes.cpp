@@ -2,11 +2,14 @@
 
 namespace knuckle {
 
-ViewPasses::ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen)
+ViewPasses::ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen, bool hasFramed)
 {
+    Defines defines;
+    if (hasUnseen) defines.push_back({"UNSEEN", "1"});
+    if (hasFramed) defines.push_back({"FRAMED", "1"});
     table.add(Lifetime::State, view_);  // for an automatic camera, whose place follows from its last one
     table.add(Lifetime::Scratch, boxes_);
-    bounds_ = Kernel(gpu, table, "render/view/frame_bounds.comp", hasUnseen ? Defines{{"UNSEEN", "1"}} : Defines());
+    bounds_ = Kernel(gpu, table, "render/view/frame_bounds.comp", defines);
     camera_ = Kernel(gpu, table, "render/view/frame_camera.comp");
     fit_ = Kernel(gpu, table, "render/view/frame_view.comp");
 }

@@ -8,9 +8,9 @@ namespace knuckle {
 /// Computes the frame's view on the device, since only the device knows where particles are.
 class ViewPasses {
 public:
-    /// Adds "view" to the table, which must have "frame", "positions", "bodyCentres" and, if particles are unseen,
-    /// "unseenParticles".
-    ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen);
+    /// Adds "view" to the table, which must have "frame", "positions", "bodyCentres", "cameraPlanes" and, if particles
+    /// are unseen or framed, "unseenParticles" or "framedParticles".
+    ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen, bool hasFramed);
     ViewPasses(const ViewPasses&) = delete;
     ViewPasses& operator=(const ViewPasses&) = delete;
 

@@ -15,6 +15,8 @@ namespace knuckle::gpu {
 #define CAMERA_FOLLOWS 1u
 #define CAMERA_FRAMES 2u
 #define CAMERA_FRAMES_AROUND 3u
+// Or as set, but turned to the middle of what it looks at.
+#define CAMERA_LOOKS 4u
 // Threads that share the particles for finding their bounds.
 #define BOUNDS_THREADS 256
 // Cells per side of the grid for finding buried particles.
@@ -34,6 +36,7 @@ namespace knuckle::gpu {
 struct FrameInput {
     vec4 cameraPosition;        // xyz [m]; CAMERA_FOLLOWS: from the object; CAMERA_FRAMES: only its direction counts
     vec4 cameraTarget;          // xyz [m]
+    vec4 cameraTurn;            // xyz: to the left, up, counter-clockwise, after the camera is aimed [rad]
     vec4 keyDirection;          // xyz towards the light, unit; w: tangent of its angular radius
     vec4 keyColor;              // rgb; w: tolerated error of a skin's level of detail [pixels]
     vec4 skyColor;              // rgb
@@ -63,6 +66,22 @@ struct FrameInput {
     float fluidRadius;          // [m]
     uint fluidSpace;            // over the space of a solid particle, in 1 / SPACE_UNITS
     uint resolveFactor;         // samples an axis of a pixel of the frame
+    uint framedBit;             // of framedParticles: those that are framed or looked at; 0: all
+    uint cameraPlaneCount;
+    float cameraClearance;      // least distance of the camera from each of cameraPlanes [m]
+    float frameShare;           // of the picture, that framed things may fill
+};
+
+// A moment between two steps.
+struct BetweenInput {
+    float part;                 // of the step
+    float timeStep;             // [s]
+    uint particleCount;
+    uint bodyCount;
+    uint colliderCount;
+    uint foamCount;
+    uint unused0;
+    uint unused1;
 };
 
 // Results of one thread of frame_bounds.comp.
@@ -71,6 +90,10 @@ struct ParticleBounds {
     vec4 high;
     vec4 sum;                   // xyz [m]: of positions from the middle of the shadow limits; w: their number
     vec4 squares;               // xyz [m2]
+    vec4 framedLow;             // xyz [m]: of those of FrameInput::framedBit
+    vec4 framedHigh;
+    vec4 framedMost;            // of the same: x + y + z, -x + y + z, x - y + z, x + y - z [m]
+    vec4 framedLeast;
 };
 
 // Values that frame_camera.comp and frame_view.comp compute from both on the GPU.
@@ -93,7 +116,8 @@ struct FrameView {
     vec4 shadedInLight;         // shadow map coordinates (left, bottom, right, top): the ground outside is not shaded
     vec4 particleLow;           // xyz [m]: bounds of the particles' centres
     vec4 particleHigh;
-    vec4 trackedLow;            // xyz [m]: what the camera shows or follows, smoothed; kept from frame to frame
+    vec4 trackedLow;            // xyz [m]: what the camera shows or follows, smoothed; kept from frame to frame. Of
+                                // named particles: where it aims, w: its distance from there [m]
     vec4 trackedHigh;
 };
 

@@ -68,9 +68,10 @@ TEST(Schema, DefaultsAreThoseOfTheStructs)
 {
     expectSameDefaults<Settings>("solver", {"preset"});
     expectSameDefaults<Material>("material");
-    expectSameDefaults<CameraSettings>("camera");
+    expectSameDefaults<CameraSettings>("camera", {"frame", "lookAt", "keys", "shake"});
+    expectSameDefaults<CameraShake>("cameraShake");
     expectSameDefaults<LightSettings>("light");
-    expectSameDefaults<RenderSettings>("render");
+    expectSameDefaults<RenderSettings>("render", {"camera"});
     expectSameDefaults<Collider>("planeCollider", {"type", "rotation", "motion"});
 }
 
@@ -82,6 +83,7 @@ TEST(Schema, WordsAreThoseOfTheEnums)
     expectSameWords<ReductionKind>("solver", "reduction");
     expectSameWords<VelocityOrder>("solver", "velocityOrder");
     expectSameWords<CameraKind>("camera", "kind");
+    expectSameWords<Easing>("cameraKey", "easing");
     expectSameWords<ColorBy>("render", "colorBy");
     expectSameWords<DrawnAs>("material", "draw");
     expectSameWords<JointType>("jointTypes", "");

@@ -1,5 +1,6 @@
 // One thread combines the particles' bounds and aims the camera: as set, at the object that it follows, or so that all
-// particles and their way down to the ground are visible. These move, so the camera moves smoothly.
+// particles and their way down to the ground are visible, or those that it frames. These move, so the camera moves
+// smoothly.
 #include "render/common/frame.glsl"
 #include "render/view/axes.glsl"
 #include "render/view/framing.glsl"
@@ -7,71 +8,86 @@
 layout(local_size_x = 1) in;
 layout(std430) readonly buffer BodyCentres { vec4 centres[]; };
 layout(std430) readonly buffer ParticleBoxes { ParticleBounds bounds[]; };
+layout(std430) readonly buffer CameraPlanes { vec4 planes[]; };   // xyz: unit normal; w: offset along it
 layout(std430) buffer View { FrameView view; };
 
-// Stray particles further from the mean than this many standard deviations must not make the rest small.
-const float STRAY = 3.0;
-
-Box framedBox()
-{
-    vec3 low = vec3(1e30), high = vec3(-1e30), sum = vec3(0.0), squares = vec3(0.0);
-    float count = 0.0;
-    for (uint i = 0u; i < BOUNDS_THREADS; ++i) {
-        low = min(low, bounds[i].low.xyz);
-        high = max(high, bounds[i].high.xyz);
-        sum += bounds[i].sum.xyz;
-        count += bounds[i].sum.w;
-        squares += bounds[i].squares.xyz;
-    }
-    if (count == 0.0) {
-        low = frame.shadowLimitLow.xyz;
-        high = frame.shadowLimitHigh.xyz;
-    }
-    view.particleLow = vec4(low, 0.0);
-    view.particleHigh = vec4(high, 0.0);
-    if (count == 0.0) return Box(low, high);
-    vec3 mean = sum / count;
-    vec3 reach = STRAY * sqrt(max(squares / count - mean * mean, 0.0));
-    vec3 middle = 0.5 * (frame.shadowLimitLow.xyz + frame.shadowLimitHigh.xyz) + mean;
-    low = max(low, middle - reach) - frame.radius;
-    high = min(high, middle + reach) + frame.radius;
-    vec3 size = high - low;
-    // It will come down, but the picture includes a ground far below only when it comes near.
-    low.y = min(low.y, max(frame.groundAlbedo.w, low.y - max(size.x, max(size.y, size.z))));
-    if (frame.cameraMode != CAMERA_FRAMES_AROUND) return Box(low, high);
-    // Looks from all sides in turn: uses the circle that the corners describe.
-    vec2 centre = 0.5 * (low.xz + high.xz);
-    float around = 0.5 * length(high.xz - low.xz);
-    return Box(vec3(centre.x - around, low.y, centre.y - around), vec3(centre.x + around, high.y, centre.y + around));
-}
+#include "render/view/framed_box.glsl"
+#include "render/view/kept_whole.glsl"
 
 Box followedBox()
 {
     vec3 sum = vec3(0.0);
-    for (uint i = 0u; i < frame.followedBodyCount; ++i) sum += centres[frame.followedBodyStart + i].xyz;
-    return Box(sum / float(frame.followedBodyCount), sum / float(frame.followedBodyCount));
+    for (uint i = 0; i < frame.followedBodyCount; ++i) sum += centres[frame.followedBodyStart + i].xyz;
+    return boxOf(sum / float(frame.followedBodyCount), sum / float(frame.followedBodyCount));
 }
 
 Box tracked(Box now)
 {
-    Box before = Box(view.trackedLow.xyz, view.trackedHigh.xyz);
+    Box before = boxOf(view.trackedLow.xyz, view.trackedHigh.xyz);
     if (frame.trackSeconds < 0.0) before = now;
-    Box box = Box(mix(before.low, now.low, approachFraction(lessThan(now.low, before.low))),
-                  mix(before.high, now.high, approachFraction(greaterThan(now.high, before.high))));
+    Box box = boxOf(mix(before.low, now.low, approachFraction(lessThan(now.low, before.low))),
+                    mix(before.high, now.high, approachFraction(greaterThan(now.high, before.high))));
     view.trackedLow = vec4(box.low, 0.0);
     view.trackedHigh = vec4(box.high, 0.0);
     return box;
 }
 
+// A camera that moves by itself stays in front of floors and walls.
+vec3 inFrontOfPlanes(vec3 eye)
+{
+    for (uint i = 0u; i < frame.cameraPlaneCount; ++i)
+        eye += max(frame.cameraClearance + planes[i].w - dot(planes[i].xyz, eye), 0.0) * planes[i].xyz;
+    return eye;
+}
+
+// Where the camera sees the box; where a plane is in its way, from a side where it is not.
+vec3 placeInFront(Box box, inout vec3 back)
+{
+    bool isNamed = frame.framedBit != 0u;
+    Stand before = Stand(view.trackedLow.xyz, view.trackedLow.w);
+    vec3 eye = vec3(0.0);
+    if (!isNamed) box = tracked(box);
+    for (int attempt = 0; attempt < 8; ++attempt) {
+        vec3 right = perpendicular(back), up = cross(back, right), wanted, target = 0.5 * (box.low + box.high);
+        if (isNamed) {
+            Stand stand = keptWhole(before, box, right, up, back);
+            target = stand.target;
+            wanted = target + stand.distance * back;
+        } else {
+            wanted = placeThatFrames(box, right, up, back);
+        }
+        eye = inFrontOfPlanes(wanted);
+        if (eye == wanted) return eye;
+        back = normalize(eye - target);
+    }
+    return eye;
+}
+
+void turn(inout vec3 a, inout vec3 b, float angle)
+{
+    if (angle == 0.0) return;
+    vec3 turned = cos(angle) * a + sin(angle) * b;
+    b = cos(angle) * b - sin(angle) * a;
+    a = turned;
+}
+
 void main()
 {
     Box framed = framedBox();
-    vec3 back = normalize(frame.cameraPosition.xyz - frame.cameraTarget.xyz);
+    vec3 eye = frame.cameraPosition.xyz;
+    vec3 back = normalize(eye - frame.cameraTarget.xyz);
+    if (frame.cameraMode == CAMERA_FOLLOWS) eye = inFrontOfPlanes(eye + tracked(followedBox()).low);
+    if (frame.cameraMode == CAMERA_FRAMES || frame.cameraMode == CAMERA_FRAMES_AROUND)
+        eye = placeInFront(framed, back);
+    if (frame.cameraMode == CAMERA_LOOKS) {
+        Box seen = tracked(framed);
+        back = normalize(eye - 0.5 * (seen.low + seen.high));
+    }
     vec3 right = perpendicular(back);
     vec3 up = cross(back, right);
-    vec3 eye = frame.cameraPosition.xyz;
-    if (frame.cameraMode == CAMERA_FOLLOWS) eye += tracked(followedBox()).low;
-    if (frame.cameraMode >= CAMERA_FRAMES) eye = placeThatFrames(tracked(framed), right, up, back);
+    turn(back, right, frame.cameraTurn.x);
+    turn(up, back, frame.cameraTurn.y);
+    turn(right, up, frame.cameraTurn.z);
     view.cameraRight = vec4(right, 0.0);
     view.cameraUp = vec4(up, 0.0);
     view.cameraBack = vec4(back, 0.0);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/scene/scene_file.h"
+#include "render/between_steps.h"
+#include "sim/solver/solver.h"
+
+namespace knuckle {
+
+/// Brings a solver from frame to frame of a film, and shows the state that each frame is of: after a step, or between
+/// two in slow motion.
+class FilmSteps {
+public:
+    /// @param scene, solver must outlive it.
+    FilmSteps(const Gpu& gpu, const Scene& scene, Solver& solver);
+
+    /// Takes the steps from the frame before to this one. @param step takes one.
+    void advance(uint64_t frame, const std::function<void()>& step);
+    /// Of the last frame that advance() or goOn() have come to; the first before that.
+    ParticleView view();
+    /// The same on the host; stalls until the GPU is done.
+    ViewState readView();
+    uint64_t stateHash();
+    /// What it needs to go on beside the solver's state; none: nothing.
+    std::optional<BufferState> saveState() const;
+    /// Goes on from a frame whose state the solver has. @throws std::logic_error for a state of another world.
+    void goOn(uint64_t frame, const std::optional<BufferState>& state);
+
+private:
+    bool isBetween() const { return place_.part < 1.0; }
+
+    const Scene& scene_;
+    Solver& solver_;
+    FramePlace place_;
+    std::unique_ptr<BetweenSteps> between_;  ///< Null in a film without slow motion.
+};
+
+}  // namespace knuckle

@@ -1,0 +1,180 @@
+#include "app/scene/picture/scene_cameras.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "app/json/fields.h"
+#include "app/scene/picture/name_pattern.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr const char* AUTOMATIC = "auto";
+constexpr const char* TURNTABLE = "turntable";
+constexpr size_t NAMES_TOLD = 12;
+
+std::vector<std::string> shortened(std::vector<std::string> names)
+{
+    names.resize(std::min(names.size(), NAMES_TOLD));
+    return names;
+}
+
+template <typename Map>
+std::vector<std::string> namesOf(const Map& map)
+{
+    std::vector<std::string> names;
+    for (const auto& [name, value] : map) names.push_back(name);
+    return names;
+}
+
+/// Reads one camera of a scene.
+class CameraReader {
+public:
+    CameraReader(const JsonFile& file, const World& world, const NamedParticles& particles)
+        : file_(file), world_(world), particles_(particles)
+    {
+    }
+
+    CameraSettings read(const Json& json, const std::string& pointer) const
+    {
+        CameraSettings camera = readFields<CameraSettings>(json);
+        camera.shake = readFields<CameraShake>(json["shake"]);
+        if (camera.kind == CameraKind::Follow) follow(camera, pointer);
+        attend(camera, json, pointer);
+        readKeys(camera, json["keys"], pointer + "/keys");
+        if (camera.kind != CameraKind::Fixed && !camera.keys.empty())
+            fail(pointer + "/keys", "are for a camera of kind \"fixed\"; take one of them away");
+        return camera;
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& pointer, const std::string& message) const
+    {
+        failAt(file_.path, pointer, message);
+    }
+
+    void follow(CameraSettings& camera, const std::string& pointer) const
+    {
+        std::vector<std::string> names;
+        for (const Object& object : world_.objects) names.push_back(object.name);
+        if (names.empty()) fail(pointer + "/kind", "\"follow\" needs an object with a body; take \"fixed\"");
+        if (camera.follow.empty()) camera.follow = names.front();
+        if (std::ranges::find(names, camera.follow) != names.end()) return;
+        fail(pointer + "/follow",
+             fmt::format("there is no object \"{}\"; {}", camera.follow, suggestion(camera.follow, shortened(names))));
+    }
+
+    void attend(CameraSettings& camera, const Json& json, const std::string& pointer) const
+    {
+        for (const auto& [field, attention] :
+             {std::pair{"frame", CameraAttention::Frame}, std::pair{"lookAt", CameraAttention::LookAt}}) {
+            const Json& patterns = json[field];
+            const std::string where = fmt::format("{}/{}", pointer, field);
+            if (patterns.empty()) continue;
+            if (camera.attention != CameraAttention::None)
+                fail(where, "is given beside `frame`, which turns the camera as well; take one of them away");
+            if (camera.kind == CameraKind::Follow)
+                fail(where, "is given beside the kind \"follow\", which looks at its object; take one of them away");
+            camera.attention = attention;
+            for (size_t i = 0; i < patterns.size(); ++i) addNamed(camera.named, patterns[i], where, i);
+        }
+        if (camera.attention == CameraAttention::LookAt && camera.automatic)
+            fail(pointer + "/automatic", "must be false with `lookAt`: give a position, or `frame` instead");
+    }
+
+    void addNamed(std::vector<ParticleRange>& named, const std::string& pattern, const std::string& where,
+                  size_t index) const
+    {
+        const size_t before = named.size();
+        for (const auto& [name, ranges] : particles_)
+            if (fits(name, pattern)) named.insert(named.end(), ranges.begin(), ranges.end());
+        if (named.size() > before) return;
+        fail(fmt::format("{}/{}", where, index), fmt::format("there is no object \"{}\"; {}", pattern,
+                                                             suggestion(pattern, shortened(namesOf(particles_)))));
+    }
+
+    void readKeys(CameraSettings& camera, const Json& json, const std::string& pointer) const
+    {
+        CameraKey key{.position = camera.position,
+                      .target = camera.target,
+                      .fieldOfView = camera.fieldOfView,
+                      .roll = camera.roll};
+        for (size_t i = 0; i < json.size(); ++i) {
+            const auto read = [&](const char* field, auto& value) {
+                if (json[i].contains(field)) readValue(json[i][field], value);
+            };
+            read("time", key.time);
+            read("position", key.position);
+            read("target", key.target);
+            read("fieldOfView", key.fieldOfView);
+            read("roll", key.roll);
+            read("easing", key.easing);
+            const std::string where = fmt::format("{}/{}", pointer, i);
+            if (!camera.keys.empty() && key.time <= camera.keys.back().time)
+                fail(where + "/time", "must be after that of the key before");
+            if (camera.attention != CameraAttention::LookAt && (key.position - key.target).norm() < 1e-6f)
+                fail(where, "has the camera where it looks; move `position` or `target`");
+            camera.keys.push_back(key);
+        }
+    }
+
+    const JsonFile& file_;
+    const World& world_;
+    const NamedParticles& particles_;
+};
+
+using Cameras = std::map<std::string, CameraSettings>;
+
+const CameraSettings& namedCamera(const JsonFile& file, const Cameras& cameras, const std::string& name,
+                                  const std::string& pointer)
+{
+    if (const auto found = cameras.find(name); found != cameras.end()) return found->second;
+    const std::string remedy = cameras.empty() ? "add it to `cameras`" : suggestion(name, shortened(namesOf(cameras)));
+    failAt(file.path, pointer, fmt::format("there is no camera \"{}\"; {}", name, remedy));
+}
+
+/// The camera that films everything, instead of the shots' own.
+std::optional<CameraSettings> onlyCamera(const JsonFile& file, const Cameras& cameras)
+{
+    const std::string name = file.root["render"]["camera"];
+    if (name.empty()) return {};
+    if (name == AUTOMATIC) return CameraSettings{};
+    if (name != TURNTABLE) return namedCamera(file, cameras, name, "/render/camera");
+    CameraSettings turntable;
+    turntable.kind = CameraKind::Orbit;
+    turntable.orbitSpeed = 360.0f / file.root["duration"].get<float>();
+    return turntable;
+}
+
+}  // namespace
+
+void readCameras(const JsonFile& file, const World& world, const NamedParticles& particles, RenderSettings& render)
+{
+    const CameraReader reader(file, world, particles);
+    render.camera = reader.read(file.root["camera"], "/camera");
+    Cameras cameras;
+    for (const auto& [name, json] : file.root["cameras"].items()) {
+        const std::string pointer = "/cameras/" + name;
+        if (name.empty() || name == AUTOMATIC || name == TURNTABLE)
+            failAt(file.path, pointer, fmt::format("\"{}\" is no name for a camera; choose another one", name));
+        cameras[name] = reader.read(json, pointer);
+    }
+    const std::optional<CameraSettings> only = onlyCamera(file, cameras);
+    if (only) render.camera = *only;
+    const Json& shots = file.root["shots"];
+    for (size_t i = 0; i < shots.size(); ++i) {
+        const std::string pointer = fmt::format("/shots/{}", i), name = shots[i]["camera"];
+        Shot shot{.from = shots[i]["from"], .timeScale = shots[i]["timeScale"], .camera = render.camera};
+        if (i == 0 && shot.from != 0.0) failAt(file.path, pointer + "/from", "must be 0: the film begins with it");
+        if (i > 0 && shot.from <= render.shots.back().from)
+            failAt(file.path, pointer + "/from", "must be after that of the shot before");
+        if (!name.empty()) shot.camera = namedCamera(file, cameras, name, pointer + "/camera");
+        if (only) shot.camera = *only;
+        render.shots.push_back(std::move(shot));
+    }
+}
+
+}  // namespace knuckle

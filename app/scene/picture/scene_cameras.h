@@ -1,0 +1,19 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/json/json.h"
+#include "render/settings.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// Particles of objects and of their copies, by name.
+using NamedParticles = std::map<std::string, std::vector<ParticleRange>>;
+
+/// Fills in the cameras of a scene: `camera`, `cameras`, `shots` and `render.camera`. @throws InputError.
+void readCameras(const JsonFile& file, const World& world, const NamedParticles& particles, RenderSettings& render);
+
+}  // namespace knuckle

@@ -1,0 +1,70 @@
+#include "render/view/framed_sets.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/base/errors.h"
+
+namespace knuckle {
+
+namespace {
+
+/// The ranges as numbers that can be compared.
+std::vector<std::pair<uint32_t, uint32_t>> numbersOf(const std::vector<ParticleRange>& ranges)
+{
+    std::vector<std::pair<uint32_t, uint32_t>> numbers;
+    for (const ParticleRange& range : ranges) numbers.emplace_back(range.first, range.end);
+    return numbers;
+}
+
+}  // namespace
+
+FramedSets framedSets(const std::vector<Shot>& shots, const World& world)
+{
+    FramedSets sets;
+    std::vector<std::vector<std::pair<uint32_t, uint32_t>>> known;
+    for (const Shot& shot : shots) {
+        const CameraSettings& camera = shot.camera;
+        if (camera.attention == CameraAttention::None) {
+            sets.bits.push_back(0);
+            continue;
+        }
+        const auto numbers = numbersOf(camera.named);
+        const auto found = std::ranges::find(known, numbers);
+        const auto set = static_cast<size_t>(found - known.begin());
+        if (set == 32) throw InputError("shots: cameras frame more than 32 different choices of objects; use fewer");
+        sets.bits.push_back(1u << set);
+        if (found != known.end()) continue;
+        known.push_back(numbers);
+        sets.words.resize(world.particles.size());
+        for (const auto& [first, end] : numbers)
+            for (uint32_t p = first; p < end; ++p) sets.words.at(p) |= sets.bits.back();
+    }
+    return sets;
+}
+
+std::vector<Shot> shotsOf(const RenderSettings& settings)
+{
+    return settings.shots.empty() ? std::vector{Shot{.camera = settings.camera}} : settings.shots;
+}
+
+std::vector<Camera> camerasOf(const std::vector<Shot>& shots, const World& world, float aspect)
+{
+    std::vector<Camera> cameras;
+    for (const Shot& shot : shots) cameras.emplace_back(shot.camera, world, aspect);
+    return cameras;
+}
+
+std::vector<gpu::vec4> cameraPlanes(const World& world)
+{
+    std::vector<gpu::vec4> planes;
+    for (uint32_t i = 0; i < world.colliders.size(); ++i) {
+        const Collider& collider = world.colliders[i];
+        if (collider.shape != ColliderShape::Plane || !collider.visible || moves(world, i)) continue;
+        const Vector3f normal = collider.orientation * Vector3f::UnitY();
+        planes.push_back({normal.x(), normal.y(), normal.z(), normal.dot(collider.position)});
+    }
+    return planes;
+}
+
+}  // namespace knuckle

@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include "app/scene/picture/name_pattern.h"
+#include "tests/app/one_object_scene.h"
+
+namespace knuckle::test {
+namespace {
+
+constexpr const char* OBJECTS =
+    R"({ "type": "rigid", "shape": "box", "name": "doll" },
+       { "type": "rigid", "shape": "box", "name": "crate", "position": [3, 0, 0], "repeat": { "counts": [3, 1, 1] } })";
+
+RenderSettings pictureOf(const std::string& fields)
+{
+    const TempFolder folder;
+    return loadScene(folder.write("scene.json", "{" + fields + R"(, "diameter": 0.25, "objects": [)" + OBJECTS + "]}"),
+                     {})
+        .render;
+}
+
+std::string complaint(const std::string& fields)
+{
+    return complaintOf(OBJECTS, fields + ", ");
+}
+
+TEST(Cameras, AreChosenByTheirNamesInShots)
+{
+    const RenderSettings picture = pictureOf(
+        R"("camera": { "fieldOfView": 50 }, "cameras": { "close": { "fieldOfView": 20, "roll": 5 } },
+           "shots": [{ "from": 0 }, { "from": 2.4, "camera": "close", "timeScale": 0.25 }])");
+    ASSERT_EQ(picture.shots.size(), 2u);
+    EXPECT_EQ(picture.shots[0].camera.fieldOfView, 50.0f);
+    EXPECT_EQ(picture.shots[0].timeScale, 1.0f);
+    EXPECT_EQ(picture.shots[1].camera.fieldOfView, 20.0f);
+    EXPECT_EQ(picture.shots[1].camera.roll, 5.0f);
+    EXPECT_EQ(picture.shots[1].from, 2.4);
+    EXPECT_EQ(picture.shots[1].timeScale, 0.25f);
+}
+
+TEST(Cameras, OfTheCommandLineFilmEveryShot)
+{
+    const std::string shots = R"("duration": 8, "cameras": { "close": { "fieldOfView": 20 } },
+                                 "shots": [{ "from": 0 }, { "from": 1, "timeScale": 0.5 }], "render": { "camera": )";
+    const RenderSettings close = pictureOf(shots + R"("close" })");
+    for (const Shot& shot : close.shots) EXPECT_EQ(shot.camera.fieldOfView, 20.0f);
+    EXPECT_EQ(close.shots[1].timeScale, 0.5f);
+    EXPECT_TRUE(pictureOf(shots + R"("auto" })").shots[1].camera.automatic);
+    const CameraSettings around = pictureOf(shots + R"("turntable" })").shots[1].camera;
+    EXPECT_EQ(around.kind, CameraKind::Orbit);
+    EXPECT_EQ(around.orbitSpeed, 45.0f);
+}
+
+TEST(Cameras, KeysGoOnFromTheOnesBefore)
+{
+    const std::vector<CameraKey> keys = pictureOf(R"("camera": { "position": [1, 2, 3], "fieldOfView": 30, "keys": [
+            { "time": 1, "target": [0, 0, 1] }, { "time": 2, "fieldOfView": 60 },
+            { "time": 3, "position": [4, 2, 3], "easing": "easeIn", "roll": -9 }] })")
+                                            .camera.keys;
+    ASSERT_EQ(keys.size(), 3u);
+    EXPECT_EQ(keys[0].position, Vector3f(1, 2, 3));
+    EXPECT_EQ(keys[1].target, Vector3f(0, 0, 1));
+    EXPECT_EQ(keys[0].fieldOfView, 30.0f);
+    EXPECT_EQ(keys[2].fieldOfView, 60.0f);
+    EXPECT_EQ(keys[2].roll, -9.0f);
+    EXPECT_EQ(keys[1].easing, Easing::Smooth);
+    EXPECT_EQ(keys[2].easing, Easing::EaseIn);
+}
+
+TEST(Cameras, FrameObjectsAndCopiesByName)
+{
+    const auto named = [](const std::string& words) {
+        uint32_t count = 0;
+        for (const ParticleRange& range : pictureOf(R"("camera": { "frame": [)" + words + "] }").camera.named)
+            count += range.end - range.first;
+        return count;
+    };
+    const uint32_t one = named(R"("doll")");
+    EXPECT_GT(one, 0u);
+    EXPECT_EQ(named(R"("crate_2")"), one);
+    EXPECT_EQ(named(R"("crate")"), 3 * one);
+    EXPECT_EQ(named(R"("crate_*")"), 3 * one);
+    EXPECT_EQ(named(R"("doll", "*_1")"), 2 * one);
+}
+
+TEST(Cameras, FrameUnlessTheyOnlyLook)
+{
+    const CameraSettings frames = pictureOf(R"("camera": { "frame": ["doll"] })").camera;
+    EXPECT_EQ(frames.attention, CameraAttention::Frame);
+    EXPECT_EQ(frames.fill, 0.7f);
+    EXPECT_TRUE(frames.automatic);
+    const CameraSettings looks = pictureOf(R"("camera": { "lookAt": ["doll"] })").camera;
+    EXPECT_EQ(looks.attention, CameraAttention::LookAt);
+    EXPECT_FALSE(looks.automatic);
+}
+
+TEST(Cameras, AreRefusedInOneLine)
+{
+    const std::pair<const char*, const char*> wrong[] = {
+        {R"("shots": [{ "from": 0, "camera": "wide" }])",
+         "/shots/0/camera: there is no camera \"wide\"; add it to `cameras`"},
+        {R"("cameras": { "close": {}, "wide": {} }, "shots": [{ "from": 0, "camera": "cloze" }])",
+         "/shots/0/camera: there is no camera \"cloze\"; did you mean \"close\"?"},
+        {R"("render": { "camera": "x" }, "cameras": { "close": {}, "wide": {} })",
+         "/render/camera: there is no camera \"x\"; known: close, wide"},
+        {R"("cameras": { "auto": {} })", "/cameras/auto: \"auto\" is no name for a camera; choose another one"},
+        {R"("shots": [{ "from": 1 }])", "/shots/0/from: must be 0: the film begins with it"},
+        {R"("shots": [{ "from": 0 }, { "from": 2 }, { "from": 2 }])",
+         "/shots/2/from: must be after that of the shot before"},
+        {R"("shots": [{ "camera": "" }])",
+         "/shots/0: \"from\" is missing; add it: When it begins, in the time of the film: slow motion makes the film "
+         "longer, not `duration`. The first begins at 0. Its first frame is the first at this time or later."},
+        {R"("shots": [{ "from": 0, "timeScale": -1 }])", "/shots/0/timeScale: -1 is below the minimum 0"},
+        {R"("shots": [{ "from": 0, "timeScale": 2 }])", "/shots/0/timeScale: 2 is above the maximum 1"},
+        {R"("camera": { "keys": [{ "time": 2 }, { "time": 1 }] })",
+         "/camera/keys/1/time: must be after that of the key before"},
+        {R"("camera": { "keys": [{ "time": 0, "easing": "smoth" }] })",
+         "/camera/keys/0/easing: \"smoth\" is unknown; did you mean \"smooth\"?"},
+        {R"("camera": { "keys": [{ "time": 0, "position": [0, 1, 0] }] })",
+         "/camera/keys/0: has the camera where it looks; move `position` or `target`"},
+        {R"("camera": { "kind": "orbit", "keys": [{ "time": 0 }] })",
+         "/camera/keys: are for a camera of kind \"fixed\"; take one of them away"},
+        {R"("cameras": { "close": { "frame": ["crate", "dol"] } })",
+         "/cameras/close/frame/1: there is no object \"dol\"; did you mean \"doll\"?"},
+        {R"("camera": { "frame": ["doll"], "lookAt": ["doll"] })",
+         "/camera/lookAt: is given beside `frame`, which turns the camera as well; take one of them away"},
+        {R"("camera": { "kind": "follow", "lookAt": ["doll"] })",
+         "/camera/lookAt: is given beside the kind \"follow\", which looks at its object; take one of them away"},
+        {R"("camera": { "lookAt": ["doll"], "automatic": true })",
+         "/camera/automatic: must be false with `lookAt`: give a position, or `frame` instead"},
+        {R"("camera": { "shake": { "amplitude": 90 } })",
+         "/camera/shake/amplitude: 90 is above the maximum 20 [degrees]"},
+    };
+    for (const auto& [fields, message] : wrong) EXPECT_EQ(complaint(fields), message) << fields;
+}
+
+TEST(NamePattern, TakesAnyLettersForAStar)
+{
+    EXPECT_TRUE(fits("crate_12", "crate_12"));
+    EXPECT_TRUE(fits("crate_12", "crate*"));
+    EXPECT_TRUE(fits("crate", "crate*"));
+    EXPECT_TRUE(fits("crate_12", "*_1*"));
+    EXPECT_TRUE(fits("aab", "*ab"));
+    EXPECT_FALSE(fits("crate", "crat"));
+    EXPECT_FALSE(fits("crate", "rate*"));
+    EXPECT_FALSE(fits("crate", "*x*"));
+}
+
+}  // namespace
+}  // namespace knuckle::test
