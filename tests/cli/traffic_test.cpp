@@ -195,11 +195,11 @@ TEST_P(TrafficOf, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
     EXPECT_TRUE(here == aside) << "the pictures differ";
 }
 
-// Particles that flow out of emitters exist from the start; blows, touches, drives, catches and moving colliders need
-// no host.
+// Particles that flow out of emitters exist from the start; blows, touches, drives, catches, moving colliders and
+// bodies' shapes need no host.
 INSTANTIATE_TEST_SUITE_P(Scenes, TrafficOf,
                          testing::Values("ragdoll.json", "fountain.json", "dance.json", "troupe.json", "wade.json",
-                                         "struck.json", "hit.json", "catch.json", "mill.json"),
+                                         "struck.json", "hit.json", "catch.json", "mill.json", "rocker.json"),
                          [](const auto& scene) { return std::string(scene.param, strchr(scene.param, '.')); });
 
 }  // namespace
