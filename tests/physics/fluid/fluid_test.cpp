@@ -56,9 +56,8 @@ TEST(Fluid, IceRisesThroughWater)
     run(solver, world, 1.0);
     const Vector3f way = solver.readBodies()[0].position - start;
     // With the drag of a cube (1.05) and an added mass of 0.67 of what it displaces: v / g' ln cosh(g' t / v) = 0.26 m,
-    // the terminal speed v = 0.75 m/s, g' = 0.62 m/s2. A cube of 6 spacings drags a layer along; it stuck with 0.05.
-    EXPECT_GT(way.y(), 0.13f);
-    EXPECT_LT(way.y(), 0.27f);
+    // the terminal speed v = 0.75 m/s, g' = 0.62 m/s2. Walls, floor and surface are near: 15 %.
+    EXPECT_NEAR(way.y(), 0.26, 0.15 * 0.26);
     EXPECT_LT(way.head<1>().norm() + way.tail<1>().norm(), 0.1f);
 }
 

@@ -5,7 +5,7 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer SCAN_VALUES;
-layout(std430) coherent buffer SCAN_BLOCK { uint SCAN_SUMS[]; };   // after the sums: how many groups have finished
+layout(std430) coherent buffer SCAN_BLOCK { uint SCAN_SUMS[]; };   // the last: how many groups have finished
 shared bool isLast;
 
 uint sumOfChunk(uint chunk)
@@ -28,7 +28,7 @@ void addUp()
 
 void main()
 {
-    uint chunk = gl_GlobalInvocationID.x, finished = chunkCount();
+    uint chunk = gl_GlobalInvocationID.x, finished = uint(SCAN_SUMS.length()) - 1u;
     if (chunk < chunkCount()) SCAN_SUMS[chunk] = sumOfChunk(chunk);
     memoryBarrierBuffer();
     barrier();
