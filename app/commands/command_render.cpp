@@ -13,6 +13,7 @@
 #include "app/film/film_outputs.h"
 #include "app/film/replay.h"
 #include "app/run/tell.h"
+#include "render/output/film_kinds.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
 
@@ -115,6 +116,7 @@ void nameOutputs(FilmOptions& film, const RenderOptions& options, const Scene& s
     }
     for (const std::string& path : {film.record.states, film.record.last})
         if (!path.empty()) film.checkpoint.folders.push_back(folderOf(OutputPlace::of(path).path));
+    add("--codec", film.codec);
     add("--record states=", film.record.states);
     if (film.record.every > 0) add("--record-every", std::to_string(film.record.every));
     add("--save-state", film.record.last);
@@ -122,11 +124,34 @@ void nameOutputs(FilmOptions& film, const RenderOptions& options, const Scene& s
     add("--frames", std::to_string(std::max<uint64_t>(film.frames.first, 1)) + ":");
 }
 
+/// @throws InputError for words of --codec and --pipe that are none, and that no output asks for.
+void checkFilmWords(const std::vector<std::string>& outputs, const FilmOptions& film)
+{
+    const auto isStream = [](const std::string& path) {
+        return OutputPlace::of(path).kind == OutputPlace::Kind::Stream;
+    };
+    if (!film.pipe.empty() && !std::ranges::count(PIPE_WORDS, film.pipe))
+        throw InputError(fmt::format("--pipe {}: must be {}", film.pipe, choiceOf(PIPE_WORDS)));
+    if (!film.pipe.empty() && std::ranges::none_of(outputs, isStream))
+        throw InputError(fmt::format("--pipe {}: no output is a stream; add -o -", film.pipe));
+    if (film.codec.empty()) return;
+    if (!isCodec(film.codec)) throw InputError(fmt::format("--codec {}: must be h264, h265, av1 or vp9", film.codec));
+    const bool asked = std::ranges::any_of(outputs, [&](const std::string& path) {
+        const FilmKind* kind = isFilm(path) ? filmKindOf(path) : nullptr;
+        return (kind != nullptr && hasCodecs(*kind)) || (isStream(path) && film.pipe != "raw" && film.pipe != "y4m");
+    });
+    if (!asked)
+        throw InputError(fmt::format("--codec {}: no output is a film that has a codec to choose; name one .mp4, .mov, "
+                                     ".mkv or .webm",
+                                     film.codec));
+}
+
 /// @throws InputError for options that make no sense together.
 void checkOptions(const RenderOptions& options, const FilmOptions& film)
 {
     if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
     for (const std::string& path : options.outputs) isFilm(path);  // reports a wrong one at once
+    checkFilmWords(options.outputs, film);
     if (options.from.empty()) {
         if (options.scene.empty()) throw InputError("SCENE is required, or --from; see knuckle render --help");
         return;
@@ -199,13 +224,22 @@ void addRenderCommand(CommandLine line)
     command->add_option("SCENE", options->scene, "A scene file, see docs/scene.md");
     // One value per option, so that the scene may follow it.
     using Words = std::vector<std::string>;
-    const auto list = [command](const char* name, Words& values, const char* words, const char* type) {
+    const auto list = [command](const char* name, Words& values, const std::string& words, const char* type) {
         command->add_option(name, values, words)->type_name(type)->take_all()->allow_extra_args(false);
     };
     list("-o,--output", options->outputs,
-         "A folder for PNG frames, a film ending in .mp4, .mov or .mkv, or - for one on standard output "
-         "[out/NAME]",
+         "A folder for PNG frames, a film ending in " + choiceOf(FILM_ENDINGS) +
+             ", or - for one on standard output [out/NAME]",
          "DIR|film.mp4");
+    command
+        ->add_option("--codec", options->film.codec,
+                     "Of films: h264, h265 or av1 in .mp4 and .mkv, vp9 or av1 in .webm [the first; of .mov as well]")
+        ->type_name("NAME");
+    command
+        ->add_option("--pipe", options->film.pipe,
+                     "What goes into a stream, as -o -: a film (mp4, mkv, webm), or frames as they are (y4m, raw: RGB "
+                     "of 8 bits) [by the name's ending, else mp4]")
+        ->type_name("KIND");
     command->add_option("--frames", options->frames, "First and last frame to draw [all]")->type_name("A:B");
     command->add_option("--size", options->size, "Pixels of a frame [the scene's, 1280x720]")->type_name("WxH");
     command->add_option("--fps", options->framesPerSecond, "Frames per second, as 30 or 24000/1001 [the scene's, 60]")

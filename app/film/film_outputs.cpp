@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/output/film_kinds.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
 
@@ -20,9 +21,9 @@ bool isFilm(const std::string& path)
     if (folder)
         throw InputError(fmt::format("-o {0}: is a folder; name the film otherwise, or {0}/ for frames", place.given));
     if (known) return true;
-    throw InputError(fmt::format("-o {0}: films are written as .mp4, .mov or .mkv, frames into a folder; name one of "
-                                 "them, or {0}/ for a folder",
-                                 place.given));
+    throw InputError(fmt::format("-o {0}: films are written as {1}, frames into a folder; name one of them, or "
+                                 "{0}/ for a folder",
+                                 place.given, choiceOf(FILM_ENDINGS)));
 }
 
 void addOutputs(const FilmOptions& options, const Exporters& exporters, const Scene& scene, RunPaths& paths)
@@ -40,21 +41,21 @@ FilmOutputs::FilmOutputs(const Scene& scene, const FilmOptions& options, const F
                          Checkpoint* checkpoint)
     : exporters(std::move(chosen)), needs(needsOf(exporters))
 {
-    for (size_t k = 0; k < options.outputs.size(); ++k)
-        sinks.push_back(makeSink(scene, options.outputs[k], k, range, checkpoint));
+    for (size_t k = 0; k < options.outputs.size(); ++k) sinks.push_back(makeSink(scene, options, k, range, checkpoint));
     for (const auto& exporter : exporters) exporter->begin(scene);
     if (!options.stats.empty()) stats.emplace(options.stats);
 }
 
-std::unique_ptr<FrameSink> FilmOutputs::makeSink(const Scene& scene, const std::string& path, size_t output,
+std::unique_ptr<FrameSink> FilmOutputs::makeSink(const Scene& scene, const FilmOptions& options, size_t output,
                                                  const FrameRange& range, Checkpoint* checkpoint)
 {
+    const std::string& path = options.outputs[output];
     if (!isFilm(path)) {
         hasFolders_ = true;
         return pngSink(path, checkpoint != nullptr ? checkpoint->pictures(output, path) : nullptr);
     }
-    return filmSink(path, {scene.render.width, scene.render.height, scene.framesPerSecond},
-                    {range.first, range.last, checkpoint != nullptr ? checkpoint->film(output) : nullptr});
+    return filmSink(path, {scene.render.width, scene.render.height, scene.framesPerSecond, options.codec, options.pipe},
+                    {range.first, range.last, 1, checkpoint != nullptr ? checkpoint->film(output) : nullptr});
 }
 
 bool FilmOutputs::wantsPicture(uint64_t frame) const

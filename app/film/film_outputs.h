@@ -38,7 +38,7 @@ struct FilmOutputs {
     bool hasLabels() const { return hasFolders_; }
 
 private:
-    std::unique_ptr<FrameSink> makeSink(const Scene& scene, const std::string& path, size_t output,
+    std::unique_ptr<FrameSink> makeSink(const Scene& scene, const FilmOptions& options, size_t output,
                                         const FrameRange& range, Checkpoint* checkpoint);
 
     bool hasFolders_ = false;

@@ -17,7 +17,8 @@ namespace knuckle {
 
 /// Options of `knuckle render` apart from the scene.
 struct FilmOptions {
-    std::vector<std::string> outputs;  ///< Folders for PNG frames, and .mp4 films.
+    std::vector<std::string> outputs;  ///< Folders for PNG frames, and films.
+    std::string codec, pipe;           ///< As of FilmFormat.
     FrameRange frames;
     std::string stats;  ///< Empty: none.
     RecordOptions record;

@@ -18,19 +18,10 @@ namespace knuckle {
 
 namespace {
 
-/// Of x264: its bytes depend on it, and must not depend on the machine.
-constexpr const char* ENCODER_THREADS = "4";
-/// All segments are of this kind, whatever the film: it has exact times.
-constexpr const char* SEGMENT_CONTAINER = "mp4";
-
-using Arguments = std::vector<std::string>;
-
-Arguments quietly(std::initializer_list<std::string> more)
+/// All segments are of this kind, whatever the film: it has exact times. Those that keep every bit need its elder.
+const char* containerOfSegments(const FilmEncoding& encoding)
 {
-    // Without -xerror ffmpeg reports success for a film that did not fit on the disk.
-    Arguments arguments{"-hide_banner", "-loglevel", "error", "-xerror", "-nostdin", "-y"};
-    arguments.insert(arguments.end(), more);
-    return arguments;
+    return encoding.kind->atEnd ? "mov" : "mp4";
 }
 
 /// A folder under a name without characters that mean something in ffmpeg's lists.
@@ -79,22 +70,9 @@ private:
 
 }  // namespace
 
-Arguments encoderArguments(const FilmFormat& format)
-{
-    Arguments arguments = quietly({"-f", "rawvideo", "-pix_fmt", "rgb24", "-video_size",
-                                   fmt::format("{}x{}", format.width, format.height), "-framerate",
-                                   fmt::format("{}", format.framesPerSecond), "-i", "pipe:0", "-an"});
-    const auto add = [&](std::initializer_list<const char*> more) {
-        arguments.insert(arguments.end(), more.begin(), more.end());
-    };
-    // Chroma at half the resolution needs even sizes.
-    if (format.width % 2 != 0 || format.height % 2 != 0) add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"});
-    add({"-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "18", "-preset", "veryfast", "-threads", ENCODER_THREADS});
-    return arguments;
-}
-
-FilmSegments::FilmSegments(std::string ffmpeg, FilmFormat format, std::string purpose, FilmKeep& keep)
-    : ffmpeg_(std::move(ffmpeg)), format_(std::move(format)), purpose_(std::move(purpose)), keep_(keep)
+FilmSegments::FilmSegments(std::string ffmpeg, FilmFormat format, FilmEncoding encoding, std::string purpose,
+                           FilmKeep& keep)
+    : ffmpeg_(std::move(ffmpeg)), format_(format), encoding_(encoding), purpose_(std::move(purpose)), keep_(keep)
 {
 }
 
@@ -125,9 +103,9 @@ void FilmSegments::feed(const std::vector<uint8_t>& rgb)
 {
     if (!encoder_) {
         encoded_ = keep_.beginSegment();
-        Arguments arguments = encoderArguments(format_);
+        std::vector<std::string> arguments = encoderArguments(format_, encoding_.segments());
         const std::string file = fmt::format("file:{}/{}", keep_.folder(), encoded_);
-        arguments.insert(arguments.end(), {"-fflags", "+bitexact", "-f", SEGMENT_CONTAINER, file});
+        arguments.insert(arguments.end(), {"-fflags", "+bitexact", "-f", containerOfSegments(encoding_), file});
         encoder_.emplace(ffmpeg_, std::move(arguments), -1, purpose_);
     }
     encoder_->write(rgb.data(), rgb.size());
@@ -160,13 +138,7 @@ void FilmSegments::join(uint64_t frames, const std::vector<std::string>& names, 
         list += fmt::format("file 'file:{}/{}'\nduration {}us\n", folder.name(), names[k],
                             microseconds(end) - microseconds(begin));
     }
-    Arguments arguments = quietly({"-protocol_whitelist", "file,pipe", "-f", "concat", "-safe", "0", "-i", "pipe:0",
-                                   "-c", "copy", "-fflags", "+bitexact", "-f", format_.container});
-    if (format_.container != "matroska") arguments.insert(arguments.end(), {"-movflags", "+faststart"});
-    arguments.push_back("file:" + output);
-    Ffmpeg ffmpeg(ffmpeg_, std::move(arguments), -1, purpose_);
-    ffmpeg.write(list.data(), list.size());
-    ffmpeg.finish();
+    joinSegments(ffmpeg_, encoding_, format_, list, output, purpose_);
 }
 
 std::unique_ptr<FilmKeep> temporaryKeep(const std::string& film)

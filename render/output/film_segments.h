@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/output/ffmpeg.h"
+#include "render/output/film_encoding.h"
 #include "render/output/frame_keep.h"
 #include "render/output/frame_sink.h"
 
@@ -15,15 +16,12 @@ namespace knuckle {
 /// Frames of a segment, each of which begins with a key frame; as many as x264 leaves between key frames by itself.
 inline constexpr uint64_t SEGMENT_FRAMES = 250;
 
-/// Arguments that make ffmpeg read raw frames on its standard input and encode them, without the output.
-std::vector<std::string> encoderArguments(const FilmFormat& format);
-
-/// A film that is encoded segment by segment and joined at the end without encoding again, so that its bytes do not
-/// depend on whether it was made in one run or in several.
+/// A film that is encoded segment by segment and joined at the end, so that its bytes do not depend on whether it was
+/// made in one run or in several.
 class FilmSegments {
 public:
     /// @param ffmpeg path of the program. @param purpose names the film in messages. @param keep must outlive it.
-    FilmSegments(std::string ffmpeg, FilmFormat format, std::string purpose, FilmKeep& keep);
+    FilmSegments(std::string ffmpeg, FilmFormat format, FilmEncoding encoding, std::string purpose, FilmKeep& keep);
     /// Whether the frame is needed for a segment that is not complete.
     bool wants(uint64_t index);
     /// Frames come in order; those that are not wanted may be left out. @throws RunError.
@@ -39,6 +37,7 @@ private:
 
     std::string ffmpeg_;
     FilmFormat format_;
+    FilmEncoding encoding_;
     std::string purpose_;
     FilmKeep& keep_;
     uint64_t next_ = 0;  ///< The frame that the encoder needs next.

@@ -31,25 +31,28 @@ public:
 /// frame_0001.png ... in `folder`, which is made if missing. @throws InputError if it cannot be written to.
 /// @param keep must outlive it; null: nothing is kept.
 std::unique_ptr<FrameSink> pngSink(const std::string& folder, PictureKeep* keep = nullptr);
-/// Endings of films that can be written.
-inline constexpr std::array FILM_ENDINGS{".mp4", ".mov", ".mkv"};
 
 struct FilmFormat {
     uint32_t width = 0, height = 0;
     double framesPerSecond = 60.0;
-    std::string container = "mp4";  ///< ffmpeg's name of it; a sink takes the one of its path.
+    std::string codec = {};  ///< As of isCodec(). Empty: the kind's first. Kinds without a choice do not ask.
+    std::string pipe = {};   ///< Of streams: one of PIPE_WORDS. Empty: by its name's ending, else MP4.
 };
+
+/// What streams may get: films in one piece, and pictures as they are, in YUV 4:2:0 or in RGB of 8 bits without any
+/// header.
+inline constexpr std::array PIPE_WORDS{"mp4", "mkv", "webm", "y4m", "raw"};
 
 /// The frames of a film. @param keep must outlive the film's sink; null: nothing is kept.
 struct FilmPart {
     uint64_t first = 0, last = 0;  ///< 0: the first and the last that are written.
+    uint64_t stride = 1;           ///< From one frame's number to the next.
     FilmKeep* keep = nullptr;
 };
 
-/// H.264, yuv420p, through the ffmpeg program; an OutputFile, complete after finish(). Its bytes depend on nothing but
-/// the pictures and ffmpeg. A stream gets the format of its name's ending, else MP4, in fragments that need no seeking,
-/// and keeps nothing.
-/// @throws InputError if ffmpeg is missing or the film cannot be written, and for another ending.
+/// Through the ffmpeg program, of the kind of its name's ending; an OutputFile, complete after finish(). Its bytes
+/// depend on nothing but the pictures and ffmpeg. A stream gets fragments that need no seeking, and keeps nothing.
+/// @throws InputError if ffmpeg is missing or cannot make such a film, if it cannot be written, and for another ending.
 std::unique_ptr<FrameSink> filmSink(const std::string& path, const FilmFormat& format, const FilmPart& part = {});
 
 }  // namespace knuckle

@@ -24,7 +24,8 @@ TEST_F(Words, ThatAreNoCommandAreRefusedWithTheNearest)
 
 TEST_F(Words, OfAnotherKindOfFileAreRefusedWithTheListOfWhatIsKnown)
 {
-    const std::string films = "films are written as .mp4, .mov or .mkv, frames into a folder";
+    const std::string films = "films are written as .mp4, .mov, .mkv, .webm, .gif, .webp or .apng, "
+                              "frames into a folder";
     for (const char* path : {"film.xyz", "a.jpg", "a.PNG", "f.3gp", "v1.2b"}) {
         const RunResult result = run({"render", scene, "-o", path});
         EXPECT_EQ(result.code, 2) << path;
