@@ -11,16 +11,16 @@
 
 namespace knuckle {
 
-Checkpoint::Checkpoint(const CheckpointOptions& options, const std::vector<std::string>& outputs, uint64_t first,
-                       const World& world)
-    : options_(options), folder_(checkpointPath(outputs.at(0)), options.folders), first_(first), coding_(world)
+Checkpoint::Checkpoint(const CheckpointOptions& options, const std::vector<std::string>& outputs,
+                       const FrameRange& range, const World& world)
+    : options_(options), folder_(checkpointPath(outputs.at(0)), options.folders), range_(range), coding_(world)
 {
     facts_.words = options.words;
 }
 
-PictureKeep* Checkpoint::pictures(size_t output, const std::string& folder)
+PictureKeep* Checkpoint::pictures(size_t output, const FrameNames& names)
 {
-    return (pictures_[output] = std::make_unique<KeptPictures>(output, folder)).get();
+    return (pictures_[output] = std::make_unique<KeptPictures>(output, names)).get();
 }
 
 FilmKeep* Checkpoint::film(size_t output)
@@ -80,7 +80,7 @@ void Checkpoint::requireSameRun(const FoundCheckpoint& found, uint64_t last) con
 
 bool Checkpoint::isWhole(uint64_t frame)
 {
-    const uint64_t index = frame - first_;
+    const uint64_t index = range_.indexOf(frame);
     return std::ranges::all_of(pictures_, [&](const auto& entry) { return entry.second->has(frame); }) &&
            std::ranges::all_of(films_, [&](const auto& entry) {
                return !entry.second->segment(index / SEGMENT_FRAMES).empty() || entry.second->hasFrame(index);
@@ -89,7 +89,7 @@ bool Checkpoint::isWhole(uint64_t frame)
 
 std::optional<uint64_t> Checkpoint::firstMissing(uint64_t last)
 {
-    for (uint64_t frame = first_; frame <= last; ++frame)
+    for (uint64_t frame = range_.first; frame <= last; frame += range_.stride)
         if (!isWhole(frame)) return frame;
     return {};
 }

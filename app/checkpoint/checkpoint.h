@@ -12,6 +12,7 @@
 #include "app/checkpoint/frame_log.h"
 #include "app/checkpoint/kept_film.h"
 #include "app/checkpoint/kept_pictures.h"
+#include "app/film/frame_range.h"
 
 namespace knuckle {
 
@@ -28,13 +29,13 @@ struct CheckpointOptions {
 /// which frames are done.
 class Checkpoint {
 public:
-    /// @param outputs as given to -o, of which the first names the folder. @param first the first frame to draw.
+    /// @param outputs as given to -o, of which the first names the folder. @param range of the frames to draw.
     /// @throws InputError as CheckpointFolder.
-    Checkpoint(const CheckpointOptions& options, const std::vector<std::string>& outputs, uint64_t first,
+    Checkpoint(const CheckpointOptions& options, const std::vector<std::string>& outputs, const FrameRange& range,
                const World& world);
 
     /// What is kept of an output, by its index.
-    PictureKeep* pictures(size_t output, const std::string& folder);
+    PictureKeep* pictures(size_t output, const FrameNames& names);
     FilmKeep* film(size_t output);
 
     /// Finds the state to go on from; none: the run begins at its start, and frames that are whole need not be drawn.
@@ -63,7 +64,7 @@ private:
 
     CheckpointOptions options_;
     CheckpointFolder folder_;
-    uint64_t first_;
+    FrameRange range_;
     ViewCoding coding_;
     std::map<size_t, std::unique_ptr<KeptPictures>> pictures_;
     std::map<size_t, std::unique_ptr<KeptFilm>> films_;

@@ -41,7 +41,7 @@ void KeptPictures::check(const BlockReader& log)
     for (const BlockReader::Block& block : log.list()) {
         if (!block.name.starts_with(prefix)) continue;
         const uint64_t frame = std::stoull(block.name.substr(prefix.size()));
-        const std::string file = fmt::format("{}/frame_{:04}.png", folder_, frame), sum = log.readText(block.name);
+        const std::string file = names_.path(frame), sum = log.readText(block.name);
         if (std::filesystem::exists(file) && fileChecksum(file) == sum) whole_[frame] = sum;
     }
 }

@@ -8,14 +8,15 @@
 
 #include "app/states/block_file.h"
 #include "render/output/frame_keep.h"
+#include "render/output/frame_names.h"
 
 namespace knuckle {
 
 /// Knows by their checksums which frames of a folder are whole. Used by the run and by the thread that writes.
 class KeptPictures : public PictureKeep {
 public:
-    /// @param number of the output, for the log. @param folder of frame_0001.png ...
-    KeptPictures(size_t number, std::string folder) : number_(number), folder_(std::move(folder)) {}
+    /// @param number of the output, for the log.
+    KeptPictures(size_t number, FrameNames names) : number_(number), names_(std::move(names)) {}
     bool has(uint64_t number) override;
     void written(uint64_t number, std::string_view bytes) override;
 
@@ -31,7 +32,7 @@ private:
     std::string block(uint64_t frame, const std::string& sum) const;
 
     size_t number_;
-    std::string folder_;
+    FrameNames names_;
     std::mutex mutex_;
     std::map<uint64_t, std::string> whole_;  ///< Checksum and size of the file.
     std::set<uint64_t> news_;

@@ -26,6 +26,7 @@ constexpr double DEFAULT_CHECKPOINT_SECONDS = 30.0;
 struct RenderOptions {
     std::string scene, frames, size, framesPerSecond, camera, from, resume;
     bool turntable = false;
+    uint64_t stride = 1;
     std::vector<std::string> outputs, sets, exports, records;
     FilmOptions film;
 };
@@ -107,7 +108,8 @@ void nameOutputs(FilmOptions& film, const RenderOptions& options, const Scene& s
                                          "file or a folder",
                                          path));
         add("-o", path);
-        film.checkpoint.folders.push_back(isFilm(path) ? folderOf(OutputPlace::of(path).path) : path);
+        film.checkpoint.folders.push_back(isFilm(path) ? folderOf(OutputPlace::of(path).path)
+                                                       : FrameNames::of(path).folder);
     }
     for (const std::string& word : options.exports) {
         add("--export", word);
@@ -121,37 +123,16 @@ void nameOutputs(FilmOptions& film, const RenderOptions& options, const Scene& s
     if (film.record.every > 0) add("--record-every", std::to_string(film.record.every));
     add("--save-state", film.record.last);
     add("--size", fmt::format("{}x{}", scene.render.width, scene.render.height));
+    if (film.frames.stride > 1) add("--stride", std::to_string(film.frames.stride));
+    if (film.quality != DEFAULT_QUALITY) add("--quality", std::to_string(film.quality));
     add("--frames", std::to_string(std::max<uint64_t>(film.frames.first, 1)) + ":");
-}
-
-/// @throws InputError for words of --codec and --pipe that are none, and that no output asks for.
-void checkFilmWords(const std::vector<std::string>& outputs, const FilmOptions& film)
-{
-    const auto isStream = [](const std::string& path) {
-        return OutputPlace::of(path).kind == OutputPlace::Kind::Stream;
-    };
-    if (!film.pipe.empty() && !std::ranges::count(PIPE_WORDS, film.pipe))
-        throw InputError(fmt::format("--pipe {}: must be {}", film.pipe, choiceOf(PIPE_WORDS)));
-    if (!film.pipe.empty() && std::ranges::none_of(outputs, isStream))
-        throw InputError(fmt::format("--pipe {}: no output is a stream; add -o -", film.pipe));
-    if (film.codec.empty()) return;
-    if (!isCodec(film.codec)) throw InputError(fmt::format("--codec {}: must be h264, h265, av1 or vp9", film.codec));
-    const bool asked = std::ranges::any_of(outputs, [&](const std::string& path) {
-        const FilmKind* kind = isFilm(path) ? filmKindOf(path) : nullptr;
-        return (kind != nullptr && hasCodecs(*kind)) || (isStream(path) && film.pipe != "raw" && film.pipe != "y4m");
-    });
-    if (!asked)
-        throw InputError(fmt::format("--codec {}: no output is a film that has a codec to choose; name one .mp4, .mov, "
-                                     ".mkv or .webm",
-                                     film.codec));
 }
 
 /// @throws InputError for options that make no sense together.
 void checkOptions(const RenderOptions& options, const FilmOptions& film)
 {
     if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
-    for (const std::string& path : options.outputs) isFilm(path);  // reports a wrong one at once
-    checkFilmWords(options.outputs, film);
+    checkOutputs(film);
     if (options.from.empty()) {
         if (options.scene.empty()) throw InputError("SCENE is required, or --from; see knuckle render --help");
         return;
@@ -166,7 +147,9 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     FilmOptions film = options.film;
     std::vector<Override> overrides = overridesOf(options);
     if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
+    film.frames.stride = options.stride;
     Exporters exporters = makeExporters(options.exports);
+    film.outputs = options.outputs;
     film.record = recordOptions(options);
     film.checkpoint = checkpointOptions(options);
     checkOptions(options, film);
@@ -189,7 +172,7 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
                          "without them: --set 'shots=[]'");
     const std::unique_ptr<Branch> branch = states ? nullptr : openBranch(scene);
     film.branch = branch.get();
-    film.outputs = options.outputs.empty() ? std::vector{defaultOutput(scene)} : options.outputs;
+    if (film.outputs.empty()) film.outputs.push_back(defaultOutput(scene));
     if (film.checkpoint.seconds) nameOutputs(film, options, scene);
     requireOwnPaths(options, file, scene, film, exporters, common);
     if (states) replayFilm(*states, scene, film, common, std::move(exporters));
@@ -228,19 +211,30 @@ void addRenderCommand(CommandLine line)
         command->add_option(name, values, words)->type_name(type)->take_all()->allow_extra_args(false);
     };
     list("-o,--output", options->outputs,
-         "A folder for PNG frames, a film ending in " + choiceOf(FILM_ENDINGS) +
-             ", or - for one on standard output [out/NAME]",
+         "A folder for PNG frames, names for them as 'DIR/name_####.png' (or .jpg), a film ending in " +
+             choiceOf(FILM_ENDINGS) + ", or - for one on standard output [out/NAME]",
          "DIR|film.mp4");
     command
         ->add_option("--codec", options->film.codec,
                      "Of films: h264, h265 or av1 in .mp4 and .mkv, vp9 or av1 in .webm [the first; of .mov as well]")
         ->type_name("NAME");
+    command->add_option("--quality", options->film.quality, "Of JPEG, 1 to 100 [92]")
+        ->type_name("N")
+        ->check(numberBetween(1.0, 100.0));
     command
         ->add_option("--pipe", options->film.pipe,
                      "What goes into a stream, as -o -: a film (mp4, mkv, webm), or frames as they are (y4m, raw: RGB "
                      "of 8 bits) [by the name's ending, else mp4]")
         ->type_name("KIND");
     command->add_option("--frames", options->frames, "First and last frame to draw [all]")->type_name("A:B");
+    command
+        ->add_option("--stride", options->stride,
+                     "Draw every Nth of these frames; a film of them has N times fewer a second [1]")
+        ->type_name("N")
+        ->check(numberBetween(1.0, 1e6));
+    command->add_flag("--skip-existing", options->film.skipExisting,
+                      "Leave pictures that are there, whole and of the same size; simulate only up to the last that is "
+                      "missing");
     command->add_option("--size", options->size, "Pixels of a frame [the scene's, 1280x720]")->type_name("WxH");
     command->add_option("--fps", options->framesPerSecond, "Frames per second, as 30 or 24000/1001 [the scene's, 60]")
         ->type_name("N");

@@ -37,7 +37,7 @@ std::string materialComments(const World& world)
 
 void PlyExport::addPaths(const Scene& /*scene*/, RunPaths& paths) const
 {
-    paths.writesFrames(path(), ".ply");
+    paths.writesFrames(names());
 }
 
 void PlyExport::begin(const Scene& /*scene*/)
@@ -64,7 +64,7 @@ void PlyExport::frame(const ExportFrame& frame)
         append(text, static_cast<int32_t>(particle.body));  // NO_INDEX becomes -1
         append(text, particle.material);
     }
-    OutputFile file((std::filesystem::path(path()) / fmt::format("frame_{:04}.ply", frame.number)).string());
+    OutputFile file(names().path(frame.number));
     file.write(text);
     file.commit();
 }

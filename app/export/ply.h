@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/export/exporter.h"
+#include "render/output/frame_names.h"
 
 namespace knuckle {
 
@@ -14,6 +15,9 @@ public:
     void begin(const Scene& scene) override;
     void frame(const ExportFrame& frame) override;
     void finish() override {}
+
+private:
+    FrameNames names() const { return {.folder = path(), .after = ".ply"}; }
 };
 
 }  // namespace knuckle

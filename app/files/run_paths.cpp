@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include <cctype>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -17,17 +16,6 @@ namespace knuckle {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// frame_ with four digits or more.
-bool isFrameName(const std::string& name, const std::string& ending)
-{
-    constexpr std::string_view START = "frame_";
-    if (!name.starts_with(START) || !name.ends_with(ending) || name.size() < START.size() + 4 + ending.size())
-        return false;
-    const std::string_view digits = std::string_view(name).substr(START.size(),
-                                                                  name.size() - START.size() - ending.size());
-    return digits.find_first_not_of("0123456789") == std::string_view::npos;
-}
 
 std::string canonical(const std::string& path)
 {
@@ -71,7 +59,7 @@ bool RunPaths::isSame(const Place& a, const Place& b)
 bool RunPaths::isFrameOf(const Place& folder, const Place& file)
 {
     const fs::path path = file.path;
-    return !folder.frames.empty() && isFrameName(path.filename().string(), folder.frames) &&
+    return folder.frames && folder.frames->has(path.filename().string()) &&
            isSame(folder, inputAt(path.parent_path().string()));
 }
 
@@ -96,10 +84,10 @@ void RunPaths::writes(const std::string& file)
     outputs_.push_back(outputAt(file));
 }
 
-void RunPaths::writesFrames(const std::string& folder, const std::string& ending)
+void RunPaths::writesFrames(const FrameNames& names)
 {
-    outputs_.push_back(outputAt(folder));
-    outputs_.back().frames = ending;
+    outputs_.push_back(outputAt(names.folder));
+    outputs_.back().frames = names;
 }
 
 void RunPaths::refuseInput(const Place& output, const Place& input) const
@@ -114,7 +102,7 @@ void RunPaths::checkLinks(const Place& folder) const
 {
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.path, error)) {
-        if (!entry.is_symlink(error) || !isFrameName(entry.path().filename().string(), folder.frames)) continue;
+        if (!entry.is_symlink(error) || !folder.frames->has(entry.path().filename().string())) continue;
         const Place frame = outputAt(entry.path().string());
         for (const Place& input : inputs_) refuseInput(frame, input);
         for (const Place& output : outputs_)
@@ -130,21 +118,22 @@ void RunPaths::check() const
         const Place& output = outputs_[i];
         for (const Place& input : inputs_) refuseInput(output, input);
         for (const Place& folder : folders_)
-            if (output.exists && output.path.starts_with(folder.path + "/") && output.frames.empty())
+            if (output.exists && output.path.starts_with(folder.path + "/") && !output.frames)
                 throw InputError(fmt::format("{} is in {}, which is read; give the output another place", output.given,
                                              folder.given));
         for (size_t k = 0; k < i; ++k) {
             const Place& other = outputs_[k];
             if (output.isStream && other.isStream) continue;
             for (const auto& [file, inside] : {std::pair{&output, &other}, std::pair{&other, &output}})
-                if (!file->isStream && file->frames.empty() && inside->path.starts_with(file->path + "/"))
+                if (!file->isStream && !file->frames && inside->path.starts_with(file->path + "/"))
                     throw InputError(fmt::format("{} is to be a file, and {} to lie in it; give one another name",
                                                  file->given, inside->given));
+            if (output.frames && other.frames && !output.frames->mayMeet(*other.frames)) continue;
             if (isSame(output, other) || isFrameOf(output, other) || isFrameOf(other, output))
                 throw InputError(fmt::format("{} would be written twice; give each output a name of its own",
-                                             output.frames.empty() ? output.path : other.path));
+                                             !output.frames ? output.path : other.path));
         }
-        if (!output.frames.empty()) checkLinks(output);
+        if (output.frames) checkLinks(output);
     }
 }
 

@@ -2,8 +2,11 @@
 
 #include <sys/types.h>
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "render/output/frame_names.h"
 
 namespace knuckle {
 
@@ -17,8 +20,7 @@ public:
     void readsFolder(const std::string& folder);
     /// @throws InputError as OutputPlace::of(), like writesFrames().
     void writes(const std::string& file);
-    /// frame_0001 with this ending, and so on.
-    void writesFrames(const std::string& folder, const std::string& ending);
+    void writesFrames(const FrameNames& names);
     /// @throws InputError.
     void check() const;
 
@@ -28,7 +30,7 @@ private:
         bool exists = false, isStream = false;
         dev_t device = 0;
         ino_t inode = 0;
-        std::string frames = {};  ///< Ending of a folder's frames.
+        std::optional<FrameNames> frames = {};  ///< Of a folder.
     };
     static Place outputAt(const std::string& path);
     static Place inputAt(const std::string& path);

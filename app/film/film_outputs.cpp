@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/output/existing_pictures.h"
 #include "render/output/film_kinds.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
@@ -17,24 +18,66 @@ bool isFilm(const std::string& path)
     if (place.kind == OutputPlace::Kind::Stream) return true;
     const std::string ending = endingOf(path);
     const bool known = std::ranges::count(FILM_ENDINGS, ending) > 0, folder = place.kind == OutputPlace::Kind::Folder;
-    if (path.ends_with('/') || ending.empty() || (folder && !known)) return false;
+    if (path.ends_with('/') || ending.empty() || (folder && !known) || FrameNames::areGivenBy(path)) return false;
     if (folder)
         throw InputError(fmt::format("-o {0}: is a folder; name the film otherwise, or {0}/ for frames", place.given));
     if (known) return true;
-    throw InputError(fmt::format("-o {0}: films are written as {1}, frames into a folder; name one of them, or "
-                                 "{0}/ for a folder",
+    throw InputError(fmt::format("-o {0}: films are written as {1}, frames into a folder or as {0}_####.png; name "
+                                 "one of them, or {0}/ for a folder",
                                  place.given, choiceOf(FILM_ENDINGS)));
+}
+
+void checkOutputs(const FilmOptions& film)
+{
+    for (const std::string& path : film.outputs)
+        if (!isFilm(path)) FrameNames::of(path);
+    const auto isStream = [](const std::string& path) {
+        return OutputPlace::of(path).kind == OutputPlace::Kind::Stream;
+    };
+    if (!film.pipe.empty() && !std::ranges::count(PIPE_WORDS, film.pipe))
+        throw InputError(fmt::format("--pipe {}: must be {}", film.pipe, choiceOf(PIPE_WORDS)));
+    if (!film.pipe.empty() && std::ranges::none_of(film.outputs, isStream))
+        throw InputError(fmt::format("--pipe {}: no output is a stream; add -o -", film.pipe));
+    if (film.codec.empty()) return;
+    if (!isCodec(film.codec)) throw InputError(fmt::format("--codec {}: must be h264, h265, av1 or vp9", film.codec));
+    const bool asked = std::ranges::any_of(film.outputs, [&](const std::string& path) {
+        const FilmKind* kind = isFilm(path) ? filmKindOf(path) : nullptr;
+        return (kind != nullptr && hasCodecs(*kind)) || (isStream(path) && film.pipe != "raw" && film.pipe != "y4m");
+    });
+    if (!asked)
+        throw InputError(fmt::format("--codec {}: no output is a film that has a codec to choose; name one .mp4, .mov, "
+                                     ".mkv or .webm",
+                                     film.codec));
 }
 
 void addOutputs(const FilmOptions& options, const Exporters& exporters, const Scene& scene, RunPaths& paths)
 {
     for (const std::string& path : options.outputs) {
         if (isFilm(path)) paths.writes(path);
-        else paths.writesFrames(path, ".png");
+        else paths.writesFrames(FrameNames::of(path));
     }
     for (const auto& exporter : exporters) exporter->addPaths(scene, paths);
     for (const std::string& path : {options.stats, options.record.states, options.record.last})
         if (!path.empty()) paths.writes(path);
+}
+
+uint64_t lastMissing(const Scene& scene, const FilmOptions& options, const FrameRange& range)
+{
+    if (!options.skipExisting || !options.stats.empty() || options.record.any() || options.hash ||
+        std::ranges::any_of(options.outputs, isFilm))
+        return range.last;
+    uint64_t missing = 0;
+    for (const std::string& path : options.outputs) {
+        ExistingPictures there(FrameNames::of(path), scene.render.width, scene.render.height);
+        for (uint64_t index = range.count(); index-- > 0;) {
+            const uint64_t frame = range.first + index * range.stride;
+            if (frame <= missing || !there.has(frame)) {
+                missing = std::max(missing, frame);
+                break;
+            }
+        }
+    }
+    return missing;
 }
 
 FilmOutputs::FilmOutputs(const Scene& scene, const FilmOptions& options, const FrameRange& range, Exporters chosen,
@@ -51,11 +94,25 @@ std::unique_ptr<FrameSink> FilmOutputs::makeSink(const Scene& scene, const FilmO
 {
     const std::string& path = options.outputs[output];
     if (!isFilm(path)) {
-        hasFolders_ = true;
-        return pngSink(path, checkpoint != nullptr ? checkpoint->pictures(output, path) : nullptr);
+        const FrameNames names = FrameNames::of(path);
+        if (names.digits == 0 && range.count() > 1)
+            throw InputError(fmt::format("-o {}: names one picture, and there are {} frames; name them {}_####{}, or "
+                                         "choose one by --frames",
+                                         path, range.count(), path.substr(0, path.size() - names.after.size()),
+                                         names.after));
+        hasLabels_ = hasLabels_ || !names.areJpeg();
+        PictureKeep* keep = checkpoint != nullptr ? checkpoint->pictures(output, names) : nullptr;
+        if (options.skipExisting)
+            keep = existing
+                       .emplace_back(
+                           std::make_unique<ExistingPictures>(names, scene.render.width, scene.render.height, keep))
+                       .get();
+        return pictureSink(names, keep, options.quality);
     }
-    return filmSink(path, {scene.render.width, scene.render.height, scene.framesPerSecond, options.codec, options.pipe},
-                    {range.first, range.last, 1, checkpoint != nullptr ? checkpoint->film(output) : nullptr});
+    const double rate = scene.framesPerSecond / static_cast<double>(range.stride);
+    return filmSink(
+        path, {scene.render.width, scene.render.height, rate, options.codec, options.pipe},
+        {range.first, range.lastDrawn(), range.stride, checkpoint != nullptr ? checkpoint->film(output) : nullptr});
 }
 
 bool FilmOutputs::wantsPicture(uint64_t frame) const

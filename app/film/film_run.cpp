@@ -85,7 +85,7 @@ private:
     std::unique_ptr<Checkpoint> openCheckpoint() const
     {
         if (!options_.checkpoint.seconds) return nullptr;
-        return std::make_unique<Checkpoint>(options_.checkpoint, options_.outputs, range_.first, scene_.world);
+        return std::make_unique<Checkpoint>(options_.checkpoint, options_.outputs, range_, scene_.world);
     }
 
     /// Takes the state of an earlier run, if there is one, and gives its frames to exporters and recordings.
@@ -140,7 +140,7 @@ private:
     /// The average work of a frame.
     FrameWork work() const
     {
-        const double drawn = outputs_.sinks.empty() ? 0.0 : static_cast<double>(range_.last - range_.first + 1);
+        const double drawn = outputs_.sinks.empty() ? 0.0 : static_cast<double>(range_.count());
         const auto simulated = static_cast<double>(range_.last - begin_ + 1);
         return {stepWorkload(scene_.world) * scene_.stepsPerFrame,
                 drawingWorkload(scene_.render) * (drawn / simulated)};
@@ -200,7 +200,7 @@ private:
         const bool wanted = frame >= range_.first;
         const double time = scene_.timeOf(frame);
         if (drawing_) {
-            const bool drawn = wanted && outputs_.wantsPicture(frame);
+            const bool drawn = range_.has(frame) && outputs_.wantsPicture(frame);
             const bool labelled = drawn && outputs_.hasLabels();
             drawing_->take(steps_.view(),
                            {frame, time, drawn, labelled ? labelsOf(facts_, frame, steps_.stateHash()) : PngText()});
@@ -264,8 +264,19 @@ private:
 
 }  // namespace
 
-void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions& common, Exporters exporters)
+void runFilm(const Scene& scene, const FilmOptions& wanted, const CommonOptions& common, Exporters exporters)
 {
+    FilmOptions options = wanted;
+    const FrameRange range = options.frames.of(scene, options.branch ? options.branch->frame : 1);
+    const uint64_t missing = exporters.empty() ? lastMissing(scene, options, range) : range.last;
+    if (missing == 0) {
+        if (!common.quiet)
+            fmt::print("{}, and all are there: {}\n", counted(range.count(), "frame"),
+                       fmt::join(options.outputs, ", "));
+        return;
+    }
+    // A checkpoint is of a run to its end, so that a later one can tell how far it came.
+    if (!options.checkpoint.seconds) options.frames.last = missing;
     FilmRun run(scene, options, common, std::move(exporters));
     const RunFigures figures = run.run();
     if (!common.quiet) {

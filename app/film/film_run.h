@@ -12,15 +12,18 @@
 #include "app/film/recording.h"
 #include "app/run/open_gpu.h"
 #include "app/scene/scene_file.h"
+#include "render/output/frame_sink.h"
 
 namespace knuckle {
 
 /// Options of `knuckle render` apart from the scene.
 struct FilmOptions {
-    std::vector<std::string> outputs;  ///< Folders for PNG frames, and films.
+    std::vector<std::string> outputs;  ///< Folders or names for frames, and films.
     std::string codec, pipe;           ///< As of FilmFormat.
     FrameRange frames;
-    std::string stats;  ///< Empty: none.
+    int quality = DEFAULT_QUALITY;  ///< Of JPEG.
+    bool skipExisting = false;      ///< Pictures that are there and whole stay.
+    std::string stats;              ///< Empty: none.
     RecordOptions record;
     CheckpointOptions checkpoint;
     SceneSource source;  ///< Where the scene came from, for recordings.

@@ -28,7 +28,7 @@ FrameRange FrameRange::parse(const std::string& text)
 FrameRange FrameRange::of(const Scene& scene, uint64_t begin) const
 {
     const uint64_t count = scene.frameCount();
-    const FrameRange range{first == 0 ? begin : first, last == 0 ? count : last};
+    const FrameRange range{first == 0 ? begin : first, last == 0 ? count : last, stride};
     if (begin <= range.first && range.first <= range.last && range.last <= count) return range;
     throw InputError(fmt::format("--frames {}:{}: the scene has frames {} to {}; choose among them or raise /duration",
                                  range.first, range.last, begin, count));

@@ -67,7 +67,8 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
                                      "the run that simulates",
                                      states.path()));
     const std::vector<uint64_t> frames = chosenFrames(states, options.frames);
-    const FilmOutputs outputs(scene, options, {frames.front(), frames.back()}, std::move(exporters));
+    const FrameRange range{frames.front(), frames.back(), options.frames.stride};
+    const FilmOutputs outputs(scene, options, range, std::move(exporters));
     const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(scene.render)});
     StoredView stored(scene.world);
     const RunFacts facts = outputs.hasLabels() ? factsOf(scene, *gpu, options.source) : RunFacts();
@@ -85,9 +86,10 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
         const bool wanted = frame >= frames.front();
         FrameRecord record{.number = frame, .view = coding.unpack(states.blocks(), frame)};
         const double time = scene.timeOf(frame);
-        const bool labelled = wanted && outputs.hasLabels();
+        const bool drawn = range.has(frame) && outputs.wantsPicture(frame);
+        const bool labelled = drawn && outputs.hasLabels();
         drawing.take(stored.upload(*record.view),
-                     {frame, time, wanted, labelled ? labelsOf(facts, frame, stateHash(*record.view)) : PngText()});
+                     {frame, time, drawn, labelled ? labelsOf(facts, frame, stateHash(*record.view)) : PngText()});
         if (!wanted) continue;
         exportFrame(record, scene.world, outputs.needs, outputs.exporters);
         drawing.fetch();

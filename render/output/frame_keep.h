@@ -10,7 +10,7 @@ namespace knuckle {
 
 /// What sinks have kept of an earlier run that ended before its time, and what they keep for one to come.
 
-/// Of PNG frames.
+/// Of pictures.
 class PictureKeep {
 public:
     virtual ~PictureKeep() = default;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "render/output/frame_keep.h"
+#include "render/output/frame_names.h"
 #include "render/picture/image.h"
 
 namespace knuckle {
@@ -28,9 +29,14 @@ public:
     virtual void finish() = 0;
 };
 
-/// frame_0001.png ... in `folder`, which is made if missing. @throws InputError if it cannot be written to.
-/// @param keep must outlive it; null: nothing is kept.
-std::unique_ptr<FrameSink> pngSink(const std::string& folder, PictureKeep* keep = nullptr);
+/// Of JPEG: nothing to be seen at twice the size, in a fifth of the bytes.
+inline constexpr int DEFAULT_QUALITY = 92;
+
+/// A picture for each frame, PNG or JPEG by its name's ending; the folder is made if missing. @throws InputError if it
+/// cannot be written to.
+/// @param keep must outlive it; null: nothing is kept. @param quality of JPEG, 1 to 100.
+std::unique_ptr<FrameSink> pictureSink(const FrameNames& names, PictureKeep* keep = nullptr,
+                                       int quality = DEFAULT_QUALITY);
 
 struct FilmFormat {
     uint32_t width = 0, height = 0;

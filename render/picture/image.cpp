@@ -114,6 +114,18 @@ std::string pngOf(const Image& image, PngEffort effort)
     return png.insert(HEADER_END, chunks);
 }
 
+std::string jpegOf(const Image& image, int quality)
+{
+    std::string bytes;
+    const auto add = [](void* context, void* data, int size) {
+        static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<size_t>(size));
+    };
+    if (stbi_write_jpg_to_func(add, &bytes, static_cast<int>(image.width), static_cast<int>(image.height), CHANNELS,
+                               image.rgb.data(), quality) == 0)
+        throw RunError("a picture cannot be encoded: out of memory");
+    return bytes;
+}
+
 void writePng(const std::string& path, const Image& image)
 {
     writeFile(path, pngOf(image));

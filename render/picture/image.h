@@ -27,8 +27,10 @@ enum class PngEffort { Quick, Small };
 
 /// The bytes of a PNG file.
 std::string pngOf(const Image& image, PngEffort effort = PngEffort::Quick);
-/// The same for raw pixels. @param channels 3: RGB, 4: with alpha. @param pixels width * height * channels, top row
-/// first.
+/// The bytes of a JPEG file, without its text. @param quality 1 to 100; above 90 colours have the full resolution.
+std::string jpegOf(const Image& image, int quality);
+/// The bytes of a PNG file of raw pixels. @param channels 3: RGB, 4: with alpha. @param pixels width * height *
+/// channels, top row first.
 std::string encodePng(uint32_t width, uint32_t height, uint32_t channels, std::span<const uint8_t> pixels);
 
 /// The grey values of an image, 0 ... 1, top row first, as stored in its file: gamma is not removed.

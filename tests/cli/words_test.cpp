@@ -26,7 +26,7 @@ TEST_F(Words, OfAnotherKindOfFileAreRefusedWithTheListOfWhatIsKnown)
 {
     const std::string films = "films are written as .mp4, .mov, .mkv, .webm, .gif, .webp or .apng, "
                               "frames into a folder";
-    for (const char* path : {"film.xyz", "a.jpg", "a.PNG", "f.3gp", "v1.2b"}) {
+    for (const char* path : {"film.xyz", "a.tiff", "f.3gp", "v1.2b"}) {
         const RunResult result = run({"render", scene, "-o", path});
         EXPECT_EQ(result.code, 2) << path;
         EXPECT_NE(result.err.find(films), std::string::npos) << result.err;

@@ -92,7 +92,7 @@ TEST_F(FrameSinkTest, ReadingNamesWhatIsWrong)
 
 TEST_F(FrameSinkTest, FramesAreNumberedAndComplete)
 {
-    const auto sink = pngSink(at("deep/frames"));
+    const auto sink = pictureSink(FrameNames::of(at("deep/frames")));
     for (uint64_t i = 1; i <= 7; ++i) sink->write(noise(16, 16, static_cast<uint32_t>(i)), i);
     sink->finish();
     EXPECT_EQ(readImage(at("deep/frames/frame_0001.png")).rgb, noise(16, 16, 1).rgb);
@@ -103,8 +103,8 @@ TEST_F(FrameSinkTest, FramesAreNumberedAndComplete)
 TEST_F(FrameSinkTest, AFolderThatCannotBeMadeIsAnInputError)
 {
     std::ofstream(at("file")) << "x";
-    EXPECT_THROW(pngSink(at("file/frames")), InputError);
-    EXPECT_THROW(pngSink("/proc/frames"), InputError);
+    EXPECT_THROW(pictureSink(FrameNames::of(at("file/frames"))), InputError);
+    EXPECT_THROW(pictureSink(FrameNames::of("/proc/frames")), InputError);
     EXPECT_THROW(filmSink(at("file/film.mp4"), {16, 16, 30}), InputError);
 }
 
@@ -113,7 +113,7 @@ TEST_F(FrameSinkTest, AFullDiskIsARunErrorAndLeavesNoHalfWrittenFrame)
     EXPECT_EQ(onFullDisk(1000, [&] { writePng(at("a.png"), noise(64, 64)); }), 1);
     EXPECT_EQ(onFullDisk(1000,
                          [&] {
-                             const auto sink = pngSink(folder_.string());
+                             const auto sink = pictureSink(FrameNames::of(folder_.string()));
                              sink->write(noise(64, 64), 1);
                              sink->finish();
                          }),

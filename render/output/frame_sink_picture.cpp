@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <utility>
 
 #include "render/output/frame_sink.h"
 #include "render/output/task_thread.h"
@@ -8,15 +8,18 @@ namespace knuckle {
 
 namespace {
 
-class PngSink : public FrameSink {
+class PictureSink : public FrameSink {
 public:
-    PngSink(std::string folder, PictureKeep* keep) : folder_(std::move(folder)), keep_(keep) {}
+    PictureSink(FrameNames names, PictureKeep* keep, int quality)
+        : names_(std::move(names)), keep_(keep), quality_(quality)
+    {
+    }
     bool wants(uint64_t number) override { return keep_ == nullptr || !keep_->has(number); }
     void write(Image image, uint64_t number) override
     {
         writer_.push([this, number, image = std::move(image)] {
-            const std::string bytes = pngOf(image);
-            writeFile(fmt::format("{}/frame_{:04}.png", folder_, number), bytes);
+            const std::string bytes = names_.areJpeg() ? jpegOf(image, quality_) : pngOf(image);
+            writeFile(names_.path(number), bytes);
             if (keep_ != nullptr) keep_->written(number, bytes);
         });
     }
@@ -24,17 +27,18 @@ public:
     void finish() override { writer_.drain(); }
 
 private:
-    const std::string folder_;
+    const FrameNames names_;
     PictureKeep* const keep_;
+    const int quality_;
     TaskThread writer_{MAX_UNWRITTEN};
 };
 
 }  // namespace
 
-std::unique_ptr<FrameSink> pngSink(const std::string& folder, PictureKeep* keep)
+std::unique_ptr<FrameSink> pictureSink(const FrameNames& names, PictureKeep* keep, int quality)
 {
-    requireWritableFolder(folder);
-    return std::make_unique<PngSink>(folder, keep);
+    requireWritableFolder(names.folder);
+    return std::make_unique<PictureSink>(names, keep, quality);
 }
 
 }  // namespace knuckle
