@@ -43,9 +43,9 @@ void FrameSnapshot::Fence::wait()
 FrameSnapshot::FrameSnapshot(const World& world, const RenderSettings& settings)
     : showsSpeeds_(settings.colorBy == ColorBy::Speed),
       showsRotations_(!world.skins.empty() || !world.bodyShapes.empty()),
-      showsCentres_(showsRotations_ ||
-                    std::ranges::any_of(shotsOf(settings),
-                                        [](const Shot& shot) { return shot.camera.kind == CameraKind::Follow; }))
+      showsCentres_(showsRotations_ || std::ranges::any_of(shotsOf(settings), [](const Shot& shot) {
+                        return shot.camera.kind == CameraKind::Follow;
+                    }))
 {
 }
 
