@@ -182,7 +182,7 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
 
 constexpr const char* NOTES =
     "Frame 1 shows time 0. --frames 100:120 simulates up to frame 100 without drawing. -o may be given more than\n"
-    "once, for frames and a film of the same run; a film needs the program ffmpeg.\n"
+    "once, for frames and films of the same run; a film needs the program ffmpeg.\n"
     "Ctrl-C finishes the frame and stops: frames and PLY files are kept, films and other exports, which are not\n"
     "finished, are not. With --checkpoint 30 --resume the same command goes on from there, and from any other end.\n\n";
 
@@ -194,6 +194,8 @@ constexpr const char* MORE_NOTES =
     "  knuckle render assets/scenes/hello.json --size 640x360\n"
     "  knuckle render assets/scenes/pile.json -o pile.mp4 --set solver.substeps=8 --stats pile.stats.json\n"
     "  knuckle render assets/scenes/ragdoll.json --turntable -o around.mp4\n"
+    "  knuckle render assets/scenes/dance.json -o dance.gif --size 480x270 --stride 2\n"
+    "  knuckle render assets/scenes/dance.json -o 'out/dance_####.jpg' --skip-existing\n"
     "  knuckle render assets/scenes/ragdoll.json --frames 100:120 --export ply=out/particles";
 
 }  // namespace
@@ -216,7 +218,7 @@ void addRenderCommand(CommandLine line)
          "DIR|film.mp4");
     command
         ->add_option("--codec", options->film.codec,
-                     "Of films: h264, h265 or av1 in .mp4 and .mkv, vp9 or av1 in .webm [the first; of .mov as well]")
+                     "Of films: h264, h265, av1 (.mov has none of it), of .webm vp9 or av1 [the first]")
         ->type_name("NAME");
     command->add_option("--quality", options->film.quality, "Of JPEG, 1 to 100 [92]")
         ->type_name("N")

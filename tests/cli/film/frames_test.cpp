@@ -53,7 +53,8 @@ TEST_F(Frames, AsJpegLookAsThoseOfPng)
         return sum / static_cast<double>(png.rgb.size());
     };
     // Of quality 92, coefficients of 8 x 8 pixels are rounded to steps of 2 to 19 shades (16 % of the standard's
-    // table). Errors of a step / sqrt(12) in each, some 10 of them on average, are 3 shades a pixel where all are in use.
+    // table). Errors of a step / sqrt(12) in each, some 10 of them on average, are 3 shades a pixel where all are in
+    // use.
     EXPECT_LT(distance("f/a_0004.jpeg"), 3.0);
     EXPECT_GT(distance("f/low.jpg"), 2.0 * distance("f/a_0004.jpeg"));
     EXPECT_LT(fs::file_size(folder.path("f/low.jpg")), fs::file_size(folder.path("f/a_0004.jpeg")));
