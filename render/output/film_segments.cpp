@@ -72,7 +72,8 @@ private:
 
 FilmSegments::FilmSegments(std::string ffmpeg, FilmFormat format, FilmEncoding encoding, std::string purpose,
                            FilmKeep& keep)
-    : ffmpeg_(std::move(ffmpeg)), format_(format), encoding_(encoding), purpose_(std::move(purpose)), keep_(keep)
+    : ffmpeg_(std::move(ffmpeg)), format_(std::move(format)), encoding_(encoding), purpose_(std::move(purpose)),
+      keep_(keep)
 {
 }
 

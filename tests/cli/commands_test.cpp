@@ -48,7 +48,7 @@ TEST_F(Cli, RefusesWrongOptionsInOneLine)
                                                {"render", scene, "--export", "obj=x"},
                                                {"render", scene, "--export", "ply="},
                                                {"render", scene, "--set", "fps"},
-                                               {"render", scene, "-o", "film.gif"},
+                                               {"render", scene, "-o", "film.avi"},
                                                {"bench", "table2", "--preset", "papr"},
                                                {"bench", "table2", "--set", "duration=3"},
                                                {"bench", "table2", "--set", "solver.iterations=0"}}) {
