@@ -86,13 +86,6 @@ float reachOf(const World& world, const Object& object)
 
 }  // namespace
 
-bool moves(const World& world, uint32_t collider)
-{
-    return std::ranges::any_of(world.colliderMotions, [&](const ColliderMotion& motion) {
-        return collider >= motion.firstCollider && collider - motion.firstCollider < motion.places.size();
-    });
-}
-
 SceneExtent sceneExtent(const World& world)
 {
     SceneExtent extent;

@@ -20,9 +20,6 @@ struct SceneExtent {
 
 SceneExtent sceneExtent(const World& world);
 
-/// Whether a clip moves the collider.
-bool moves(const World& world, uint32_t collider);
-
 /// A camera at one moment, before the GPU moves it: an offset from what it follows, or the side that it looks from.
 struct CameraAim {
     Vector3f position, target;  ///< [m]

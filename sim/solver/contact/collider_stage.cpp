@@ -38,22 +38,15 @@ gpu::Collider packCollider(const World& world, const Collider& c, const std::vec
     return collider;
 }
 
-bool isMoved(const World& world, size_t collider)
-{
-    return std::ranges::any_of(world.colliderMotions, [&](const ColliderMotion& m) {
-        return collider >= m.firstCollider && collider < m.firstCollider + m.places.size();
-    });
-}
-
 /// Whether it is a plane at rest where an earlier one is, as the floor of a container on the ground.
 bool repeatsPlane(const World& world, size_t index)
 {
     const Collider& plane = world.colliders[index];
-    if (plane.shape != ColliderShape::Plane || isMoved(world, index)) return false;
+    if (plane.shape != ColliderShape::Plane || moves(world, index)) return false;
     const Vector3f up = plane.orientation * Vector3f::UnitY();
     for (size_t k = 0; k < index; ++k) {
         const Collider& other = world.colliders[k];
-        if (other.shape != ColliderShape::Plane || isMoved(world, k)) continue;
+        if (other.shape != ColliderShape::Plane || moves(world, k)) continue;
         const float apart = up.dot(other.position - plane.position);
         if (apart == 0.0f && up == other.orientation * Vector3f::UnitY()) return true;
     }

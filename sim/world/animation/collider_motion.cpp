@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -37,6 +38,13 @@ std::vector<Collider> collidersAt(const World& world, double time)
         }
     }
     return colliders;
+}
+
+bool moves(const World& world, size_t collider)
+{
+    return std::ranges::any_of(world.colliderMotions, [&](const ColliderMotion& motion) {
+        return collider >= motion.firstCollider && collider - motion.firstCollider < motion.places.size();
+    });
 }
 
 void validateColliderMotions(const World& world)

@@ -20,6 +20,9 @@ struct ColliderMotion {
 /// The motion of its frame, as that of an object with one body.
 Animation animationOf(const ColliderMotion& motion);
 
+/// Whether a clip moves a collider of a world, by its index.
+bool moves(const World& world, size_t collider);
+
 /// Colliders of a world at their places at a time [s]. The GPU does the same in shaders/sim/animation; a test compares
 /// both.
 std::vector<Collider> collidersAt(const World& world, double time);
