@@ -31,7 +31,7 @@ vec4 withPosition(vec4 t, vec3 position)
 
 struct FluidVelocity {
     vec3 velocity;   // [m/s]
-    float timeHeld;  // how long only gravity changes it, after leaving a nozzle [s]
+    float timeHeld;  // how long only gravity changes it, after leaving a nozzle [s]; of viscous fluid nothing
 };
 
 FluidVelocity fluidVelocity(vec4 t)

@@ -1,5 +1,6 @@
 // The smoothing kernel of fluids: Wendland's C2, W(q) = 21 / (2 pi h^3) (1 - q)^4 (1 + 4 q), q = r / h, times the
 // volume of a particle at rest, so that its sum over a fluid at rest is 1.
+#include "shared/fluid_constants.h"
 
 /// Where a fluid particle is at the end of the substep if no pressure acts [m].
 vec3 predictedPosition(vec3 x, vec3 v)

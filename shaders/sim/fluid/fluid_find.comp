@@ -1,14 +1,20 @@
 // One thread a slot: finds the neighbours between which fluids act. Solid particles list fluid ones only. The grid and
 // packed positions both wrap: if fluid has spread wider than the grid, lists contain some particles that only look
-// near, which have no effect.
+// near, which have no effect. SOLIDS: of a world that has any.
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/grid.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/neighbour_search.glsl"
+#ifdef SOLIDS
+#include "sim/fluid/near_solids.glsl"
+#endif
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer fluidSearchPositions;
+#ifdef SOLIDS
+uniform usamplerBuffer fluidNearSolids;
+#endif
 BUFFER(uvec2, SlotCounts, newSlotCounts);
 UINT_TEXELS(newSlotNeighbours)
 BUFFER(Counters, CountersBlock, counters);
@@ -58,6 +64,17 @@ void listSolids(uint k, uint slots, inout NeighbourCounts counts, inout uvec4 fo
     }
 }
 
+/// How far particles around are looked for, squared, in cells: among themselves fluids do not reach as far.
+float reachOf(vec3 at)
+{
+#ifdef SOLIDS
+    uvec2 place = nearSolidsBit(cellIndex(ivec3(floor(at))));
+    if ((texelFetch(fluidNearSolids, int(place.x)).x & place.y) != 0u) return 1.0;
+#endif
+    float reach = sim.fluidReach * sim.inverseFluidCell;
+    return reach * reach;
+}
+
 void main()
 {
     uint k = gl_GlobalInvocationID.x, slots = gridMembers();
@@ -66,12 +83,15 @@ void main()
     Seeker seeker = seekerAt(texelFetch(fluidSorted, int(k / 4u))[k % 4u]);
     NeighbourCounts counts = NeighbourCounts(0u, 0u);
     uvec4 four = uvec4(k), fourSolids = uvec4(k);
+    float within = reachOf(at);
     uint wanted = 0u, batch = 0u;
     bool more;
     do {
-        wanted += findBatch(seeker, at, k, slots, batch, more);
+        wanted += findBatch(seeker, at, within, k, slots, batch, more);
         listFluids(k, slots, counts, four);
+#ifdef SOLIDS
         listSolids(k, slots, counts, fourSolids);
+#endif
         batch += 32u;
     } while (more);
     if (wanted > counts.fluids + counts.solids) {

@@ -13,7 +13,7 @@ uniform samplerBuffer positions;
 uniform samplerBuffer velocities;
 uniform samplerBuffer fluidPasts;
 BUFFER(vec4, SlotPositions, newSlotPositions);
-BUFFER(vec4, SlotLastPositions, newSlotLastPositions);
+BUFFER(vec4, SlotMoves, newSlotMoves);
 
 void main()
 {
@@ -27,6 +27,6 @@ void main()
     vec3 x = predictedPosition(own.position, texelFetch(velocities, int(i)).xyz);
 #endif
     FluidPast past = fluidPast(texelFetch(fluidPasts, int(i)));
-    newSlotLastPositions[fetchParticleSlot(i)] = pack(SlotLast(past.position, past.compression == JUST_EMITTED));
+    newSlotMoves[fetchParticleSlot(i)] = pack(SlotMove(x - past.position, past.compression == JUST_EMITTED));
     newSlotPositions[fetchParticleSlot(i)] = pack(SlotPosition(x, 1.0 / max(fetchMass(i).inverseMass, 1e-20)));
 }

@@ -12,7 +12,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer positions;
 BUFFER(vec4, SlotPositions, newSlotPositions);
-BUFFER(vec4, SlotLastPositions, newSlotLastPositions);
+BUFFER(vec4, SlotMoves, newSlotMoves);
 #ifndef RELAX
 BUFFER(vec4, SlotSolidImpulses, newSlotSolidImpulses);
 #endif
@@ -31,7 +31,7 @@ void main()
     vec4 rotation = quaternionProduct(fetchRotationDelta(mover), fetchRotation(mover));
 #endif
     vec2 turn = packTurn(rotation);
-    newSlotLastPositions[fetchParticleSlot(i)] = vec4(x - move, -turn.y);
+    newSlotMoves[fetchParticleSlot(i)] = vec4(move, -turn.y);
     newSlotPositions[fetchParticleSlot(i)] = vec4(x, turn.x);
 #ifndef RELAX
     newSlotSolidImpulses[fetchParticleSlot(i)] = vec4(0);   // it fills up its list of neighbours

@@ -1,5 +1,5 @@
 // One thread a particle: the position for which fluids' neighbours are found: where it is in the middle of the step.
-// Empties the lists of slots.
+// Empties the lists of slots. SOLIDS: and unmarks what is near solids.
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_state.glsl"
 #include "sim/common/particles.glsl"
@@ -11,11 +11,17 @@ uniform samplerBuffer positions;
 uniform samplerBuffer velocities;
 BUFFER(vec4, FluidSearchPositions, fluidSearchPositions);
 BUFFER(uvec4, SlotListSizes, slotListSizes);
+#ifdef SOLIDS
+BUFFER(uint, FluidNearSolids, fluidNearSolids);
+#endif
 
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
     if (i < SLOT_LISTS) slotListSizes[i] = uvec4(0, 1, 1, 0);
+#ifdef SOLIDS
+    if (i < fluidNearSolids.length()) fluidNearSolids[i] = 0u;
+#endif
     if (i >= sim.particleCount + sim.fluidCount) return;
     float time = sim.lookAhead * sim.substepTime;
     vec4 position = texelFetch(positions, int(i));

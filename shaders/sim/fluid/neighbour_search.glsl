@@ -53,12 +53,12 @@ Hits hitsFrom(Seeker seeker, uint first, uvec2 range)
 }
 
 /// The candidates of a row of cells beside a position that come near enough: first and end.
-/// @param at  The position, in cells
-uvec2 rowNear(vec3 at, int range)
+/// @param at  The position, in cells  @param within  How near, squared, in cells
+uvec2 rowNear(vec3 at, float within, int range)
 {
     vec2 side = vec2(range % 3, range / 3) - 1.0;
     vec2 gaps = 0.5 * abs(side) + side * (0.5 - fract(at.yz));
-    float square = 1.001 - dot(gaps, gaps), ahead = float(CELLS_ALONG) * sqrt(max(square, 0.0));
+    float square = within + 0.001 - dot(gaps, gaps), ahead = float(CELLS_ALONG) * sqrt(max(square, 0.0));
     ivec2 ends = ivec2(floor(at.x + vec2(-ahead, ahead)));
     uint first = cellIndex(ivec3(ends.x, ivec2(floor(at.yz) + side)));
     return uvec2(first, first + (square > 0.0 ? uint(ends.y - ends.x + 1) : 0u));
@@ -69,13 +69,13 @@ uvec2 rowNear(vec3 at, int range)
 uint firsts[AROUND_RANGES], fluids[AROUND_RANGES], solids[AROUND_RANGES];
 
 /// The candidates from `batch` on of all rows around slot k.
-/// @param more  Whether more candidates follow. @returns how many of these are neighbours.
-uint findBatch(Seeker seeker, vec3 at, uint k, uint slots, uint batch, out bool more)
+/// @param within  As rowNear() has it  @param more  Whether more candidates follow. @returns how many of these are neighbours.
+uint findBatch(Seeker seeker, vec3 at, float within, uint k, uint slots, uint batch, out bool more)
 {
     uint found = 0u;
     more = false;
     for (int range = 0; range < AROUND_RANGES; ++range) {
-        uvec2 cells = rowNear(at, range);
+        uvec2 cells = rowNear(at, within, range);
         uvec2 ends = uvec2(texelFetch(cellStarts, int(cells.x)).x, texelFetch(cellStarts, int(cells.y)).x);
         uint first = (ends.x & ~3u) + batch;
         Hits hits = hitsFrom(seeker, first, ends);

@@ -115,7 +115,7 @@ void setFluidParameters(gpu::StepParameters& p, const World& world)
     p.fluidSpacing = world.fluidSpacing;
     p.fluidReach = FLUID_REACH * world.fluidSpacing;
     // Neighbours stay listed for a step; one that comes nearer meanwhile hardly counts yet.
-    p.fluidListReach = std::max({p.fluidReach, 1.1f * p.diameter, solidReach(p)});
+    p.fluidListReach = std::max(p.fluidReach, solidReach(p));
     p.inverseFluidCell = 1.0f / p.fluidListReach;
     setLattice(p, world);
     const Settings& s = world.settings;

@@ -73,6 +73,7 @@ void FluidStage::makeLists(const Gpu& gpu)
     fluidParticleCells = {"fluidParticleCells", count};
     fluidCellStarts = {"fluidCellStarts", cells + WRAPPED_CELLS + 1};
     fluidCellMembers = {"fluidCellMembers", count};
+    fluidNearSolids = {"fluidNearSolids", hasSolids_ ? cells / (32 * FINE_CELLS) : 0};
     fluidSorted = {"fluidSorted", (2 * count + 3) / 4 * 4};
     slotParticles = {"slotParticles", count};
     particleSlots = {"particleSlots", count};
@@ -86,7 +87,7 @@ void FluidStage::makeLists(const Gpu& gpu)
     slotVelocities = {"slotVelocities", count};
     slotGradients = {"slotGradients", count};
     slotPositions = {"slotPositions", count};
-    slotLastPositions = {"slotLastPositions", count};
+    slotMoves = {"slotMoves", count};
     slotShapes = {"slotShapes", 2 * count};
     slotPressures = {"slotPressures", 2 * count};
     slotVorticities = {"slotVorticities", confines_ ? count : 0};
@@ -107,13 +108,19 @@ void FluidStage::addBuffers(BufferTable& table)
     table.add(Lifetime::Constant, fluidMaterials);
     table.add(Lifetime::State, fluidCellCounts, fluidCellSums, fluidPasts);  // they begin a search with zeros
     table.add(Lifetime::Scratch, fluidSearchPositions, fluidParticleCells, fluidCellStarts, fluidCellMembers,
-              slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, slotMaterials, slotVelocities,
-              slotGradients, slotPositions, slotLastPositions, slotShapes, slotPressures, slotVorticities, slotWalls,
-              slotCovers, slotSolids, slotSolidImpulses, particleWets, bodySeals, fluidLargestPush, freeSlots,
-              walledSlots, coveredSlots, slotListSizes);
+              fluidNearSolids, slotParticles, particleSlots, slotCounts, slotNeighbours, slotColliders, slotMaterials,
+              slotVelocities, slotGradients, slotPositions, slotMoves, slotShapes, slotPressures, slotVorticities,
+              slotWalls, slotCovers, slotSolids, slotSolidImpulses, particleWets, bodySeals, fluidLargestPush,
+              freeSlots, walledSlots, coveredSlots, slotListSizes);
     ElementType fourAtATime = elementType<uint32_t>();
     fourAtATime.texelBytes = 16;
     table.add("fluidSorted", fluidSorted, fourAtATime, Lifetime::Scratch);
+}
+
+Defines FluidStage::ofSolids(Defines others) const
+{
+    if (hasSolids_) others.push_back({"SOLIDS", "1"});
+    return others;
 }
 
 Defines FluidStage::densityOf(const char* list) const
@@ -142,6 +149,7 @@ void FluidStage::list(Recorder& recorder) const
     const uint32_t particles = parameters_.particleCount + parameters_.fluidCount;
     const uint32_t cells = parameters_.fluidCellMask + 1;
     recorder.perElement(searchPosition_, particles);
+    if (hasSolids_) recorder.perElement(nearSolids_, parameters_.particleCount);
     recorder.perElement(count_, particles);
     recorder.perElement(sum_, cells / SCAN_CHUNK);
     recorder.perElement(start_, cells / SCAN_CHUNK);

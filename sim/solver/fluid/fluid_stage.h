@@ -37,6 +37,7 @@ public:
     Buffer<gpu::uvec2> fluidParticleCells;   ///< Cell, arrival in it.
     Buffer<uint32_t> fluidCellCounts, fluidCellSums, fluidCellStarts, fluidCellMembers;  ///< As of SearchStage.
     Buffer<uint32_t> fluidSorted;                           ///< Per slot: its position, packed (packed_positions.glsl).
+    Buffer<uint32_t> fluidNearSolids;                       ///< Bits of cells: near_solids.glsl.
     Buffer<uint32_t> slotParticles, particleSlots;          ///< Each other's inverse.
     Buffer<gpu::uvec2> slotCounts;                          ///< Fluid and solid neighbours.
     Buffer<gpu::uvec4> slotNeighbours;                      ///< fluidSlots a slot (fluid_slots.glsl).
@@ -48,7 +49,7 @@ public:
     Buffer<gpu::vec4> slotVelocities;                       ///< When neighbours were found [m/s]; w: smoothing.
     Buffer<gpu::uvec4> slotGradients;                       ///< SlotGradient (slot_values.glsl).
     Buffer<gpu::vec4> slotPositions;                        ///< Predicted [m]; w: mass [kg].
-    Buffer<gpu::vec4> slotLastPositions;                    ///< Predicted in the last substep [m].
+    Buffer<gpu::vec4> slotMoves;                            ///< Since the last substep [m]: SlotMove.
     Buffer<gpu::vec4> slotShapes;                           ///< Two each: fetchSlotShape() (slot_pressures.glsl).
     Buffer<gpu::uvec4> slotPressures;                       ///< Two each: SlotPressure.
     Buffer<gpu::vec4> slotSolidImpulses;                    ///< What solids gave it in the substep [kg m].
@@ -65,18 +66,21 @@ private:
     void list(Recorder& recorder) const;
     /// Kernels for the slots of each list (slot_lists.glsl).
     void perList(Recorder& recorder, const Kernel& free, const Kernel& walled, const Kernel& covered) const;
+    /// With SOLIDS if the world has any.
+    Defines ofSolids(Defines others = {}) const;
     Defines densityOf(const char* list) const;
     Defines pressureOf(const char* list) const;
 
     bool confines_, hasTension_, hasColliders_, hasSolids_;
     bool seals_;  ///< Bodies may lie on colliders.
-    Pass searchPosition_{*this, "fluid/fluid_search_position"};
+    Pass searchPosition_{*this, "fluid/fluid_search_position", ofSolids()};
+    Pass nearSolids_{*this, "fluid/fluid_near_solids", {{"FLUIDS", "1"}}, hasSolids_};
     Pass count_{*this, "common/grid/grid_count", {{"FLUIDS", "1"}}};
     Pass sum_{*this, "common/grid/scan_sum", {{"FLUIDS", "1"}}};
     Pass start_{*this, "common/grid/grid_start", {{"FLUIDS", "1"}}};
     Pass scatter_{*this, "common/grid/grid_scatter", {{"FLUIDS", "1"}}};
     Pass order_{*this, "fluid/fluid_order", {{"FLUIDS", "1"}}};
-    Pass find_{*this, "fluid/fluid_find", {{"FLUIDS", "1"}}};
+    Pass find_{*this, "fluid/fluid_find", ofSolids({{"FLUIDS", "1"}})};
     Pass colliderNear_{*this, "fluid/walls/fluid_collider_near"};
     Pass slotLists_{*this, "fluid/walls/fluid_slot_lists"};
     Pass gather_{*this, "fluid/fluid_gather"};

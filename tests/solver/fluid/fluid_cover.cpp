@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared/fluid_constants.h"
+
 namespace knuckle::test {
 
 double behind(double z, double reach)

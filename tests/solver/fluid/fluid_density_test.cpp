@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 
+#include "shared/fluid_constants.h"
 #include "tests/solver/fluid/fluid_cover.h"
 
 namespace knuckle::test {
@@ -26,14 +27,14 @@ protected:
         for (uint32_t i = 0; i < fixture.count(); ++i) {
             moves.push_back(random.inCube(0.004f));
             isNew.push_back(fixture.isFluid(i) && i % 13 == 0);
-            gpu::vec4 last = packed(vec3(fixture.places[i]) - moves.back());
+            gpu::vec4 last = packed(moves.back());
             last.w = !fixture.isFluid(i) ? -fixture.packedTurn(i).y : isNew.back() ? 1.0f : 0.0f;
             lasts.push_back(last);
             pasts.push_back({0, 0, 0, random.between(-0.02f, 0.3f)});
         }
         velocities = randomVectors(fixture.count(), 2.0f, 49);
         fill(f.slotVelocities, fixture.inSlots(velocities));
-        fill(f.slotLastPositions, fixture.inSlots(lasts));
+        fill(f.slotMoves, fixture.inSlots(lasts));
         fill(f.fluidPasts, pasts);
         fixture.forSlots("fluid/pressure/fluid_shape");
         const auto shapes = f.slotShapes.download();

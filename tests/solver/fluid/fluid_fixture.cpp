@@ -86,8 +86,10 @@ void FluidFixture::findNeighbours()
     forSlots("common/grid/grid_count", defines);
     run("common/grid/scan_sum", cells / SCAN_CHUNK, defines);
     run("common/grid/grid_start", cells / SCAN_CHUNK, defines);
-    for (const char* kernel : {"common/grid/grid_scatter", "fluid/fluid_order", "fluid/fluid_find"})
-        forSlots(kernel, defines);
+    for (const char* kernel : {"common/grid/grid_scatter", "fluid/fluid_order"}) forSlots(kernel, defines);
+    stages.fluids->fluidNearSolids.clear();
+    run("fluid/fluid_near_solids", solidCount(), defines);
+    forSlots("fluid/fluid_find", {{"FLUIDS", "1"}, {"SOLIDS", "1"}});
     FluidStage& f = *stages.fluids;
     slotParticles = f.slotParticles.download();
     slotCounts = f.slotCounts.download();

@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 
+#include "shared/fluid_constants.h"
 #include "tests/solver/fluid/fluid_fixture.h"
 
 namespace knuckle::test {
@@ -151,13 +152,14 @@ TEST_F(FluidPressure, NotesWhatSolidsGive)
     }
 }
 
-TEST_F(FluidPressure, NotesWhereParticlesWerePredicted)
+TEST_F(FluidPressure, NotesHowFarParticlesWillHaveMoved)
 {
     push();
-    const auto lasts = fixture.byParticle(fixture.stages.fluids->slotLastPositions.download());
+    const auto moves = fixture.byParticle(fixture.stages.fluids->slotMoves.download());
+    const auto next = fixture.byParticle(fixture.stages.fluids->slotPositions.download());
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
-        ASSERT_EQ(vec3(lasts[i]), vec3(fixture.places[i])) << i;
-        ASSERT_EQ(lasts[i].w, 0.0f) << i;
+        ASSERT_EQ(vec3(moves[i]), Eigen::Vector3f(vec3(next[i]) - vec3(fixture.places[i]))) << i;
+        ASSERT_EQ(moves[i].w, 0.0f) << i;
     }
 }
 

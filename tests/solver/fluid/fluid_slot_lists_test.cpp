@@ -64,13 +64,13 @@ TEST_F(FluidSlotLists, PressuresAreTheSameWhateverListASlotIsIn)
 {
     FluidStage& f = *fixture.stages.fluids;
     Random random(53);
-    std::vector<gpu::vec4> lasts, pasts;
+    std::vector<gpu::vec4> moves, pasts;
     for (uint32_t i = 0; i < fixture.count(); ++i) {
-        lasts.push_back(packed(vec3(fixture.places[i]) - random.inCube(0.004f)));
-        lasts.back().w = fixture.isFluid(i) ? 0.0f : -fixture.packedTurn(i).y;
+        moves.push_back(packed(random.inCube(0.004f)));
+        moves.back().w = fixture.isFluid(i) ? 0.0f : -fixture.packedTurn(i).y;
         pasts.push_back({0, 0, 0, random.between(0.0f, 0.1f)});
     }
-    fill(f.slotLastPositions, fixture.inSlots(lasts));
+    fill(f.slotMoves, fixture.inSlots(moves));
     fill(f.slotVelocities, std::vector<gpu::vec4>(fixture.count()));
     fixture.forSlots("fluid/pressure/fluid_shape");
     const auto moved = [&](const std::vector<const char*>& lists) {
@@ -83,7 +83,7 @@ TEST_F(FluidSlotLists, PressuresAreTheSameWhateverListASlotIsIn)
         for (const char* kernel : {"fluid/pressure/fluid_density", "fluid/pressure/fluid_pressure"})
             for (const char* list : lists) fixture.forSlots(kernel, *list != 0 ? Defines{{list, "1"}} : Defines{});
         fill(f.slotPositions, slotPositions);
-        fill(f.slotLastPositions, fixture.inSlots(lasts));
+        fill(f.slotMoves, fixture.inSlots(moves));
         return fixture.stages.particles.positions.download();
     };
     const auto all = moved({""}), apart = moved({"FREE", "WALLED", "COVERED"});

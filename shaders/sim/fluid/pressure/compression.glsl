@@ -27,13 +27,13 @@ void add(inout Sums sums, Own own, float inverseReach, uint slot)
 {
     vec3 there = fetchSlotPosition(slot).position, r = own.position - there;
     float squared = dot(r, r), a = 1.0 - min(sqrt(squared) * inverseReach, 1.0), cube = a * a * a;
-    SlotLast last = fetchSlotLast(slot);
+    SlotMove other = fetchSlotMove(slot);
     sums.fraction += fluidShape(a);
     sums.gradient += cube * r;
     sums.squares += cube * cube * squared;
-    vec3 move = own.move - (there - last.position);
+    vec3 move = own.move - other.move;
 #ifdef EMITTERS
-    if (last.isNew) move = vec3(0), sums.added += fluidShape(a);
+    if (other.isNew) move = vec3(0), sums.added += fluidShape(a);
 #endif
     sums.nearer += cube * dot(own.even * r, move);
 }

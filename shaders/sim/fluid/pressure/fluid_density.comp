@@ -27,8 +27,8 @@ void main()
     uint k = listedSlot(gl_GlobalInvocationID.x), i = fetchSlotParticle(k);
     NeighbourCounts counts = fetchFluidCounts(k, i);
     vec3 x = fetchSlotPosition(k).position;
-    SlotLast last = fetchSlotLast(k);
-    Own own = Own(x, x - last.position, fetchSlotShape(k));
+    SlotMove last = fetchSlotMove(k);
+    Own own = Own(x, last.move, fetchSlotShape(k));
     Sums sums = sumsOver(k, counts.fluids, own);
     if (!isFluid(i)) {
         imageStore(newSlotPressures, int(2u * k), uvec4(floatBitsToUint(x), 0u));

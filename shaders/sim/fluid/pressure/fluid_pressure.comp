@@ -27,7 +27,7 @@ BUFFER(uint, FluidLargestPush, fluidLargestPush);
 #else
 FLOAT_TEXELS(velocities)
 #define LAST_VELOCITY(i) imageLoad(velocities, int(i))
-FLOAT_TEXELS(newSlotLastPositions)
+FLOAT_TEXELS(newSlotMoves)
 #ifdef SOLIDS
 FLOAT_TEXELS(newSlotSolidImpulses)
 #endif
@@ -79,8 +79,9 @@ void main()
     }
     v *= min(1.0, mostSpeed(cover, length(last.velocity), speed) / max(speed, 1e-20));
     imageStore(velocities, int(i), pack(FluidVelocity(v, max(last.timeHeld - sim.substepTime, 0.0))));
-    imageStore(newSlotPositions, int(k), pack(SlotPosition(predictedPosition(x, v), mass)));
-    imageStore(newSlotLastPositions, int(k), pack(SlotLast(own.position, false)));
+    vec3 next = predictedPosition(x, v);
+    imageStore(newSlotPositions, int(k), pack(SlotPosition(next, mass)));
+    imageStore(newSlotMoves, int(k), pack(SlotMove(next - own.position, false)));
 #ifdef SOLIDS
     vec4 toSolids = vec4(solids.inverseWeight * pressed.bySolids, pressed.push * cover.gain);
     imageStore(newSlotSolidImpulses, int(k), toSolids);

@@ -1,25 +1,25 @@
 // What the kernels of pressures know of the particle in each slot, besides sim/fluid/slot_values.glsl.
 #include "math/upper_halves.glsl"
 
-uniform samplerBuffer slotLastPositions;
+uniform samplerBuffer slotMoves;
 uniform samplerBuffer slotShapes;
 uniform usamplerBuffer slotPressures;
 
-/// Where it was predicted to be in the last substep.
-struct SlotLast {
-    vec3 position;    // [m]
+/// From where it was predicted to be in the last substep to where it is in this one.
+struct SlotMove {
+    vec3 move;        // [m]
     bool isNew;       // it has come in this step
 };
 
-SlotLast fetchSlotLast(uint slot)
+SlotMove fetchSlotMove(uint slot)
 {
-    vec4 t = texelFetch(slotLastPositions, int(slot));
-    return SlotLast(t.xyz, t.w > 0.0);
+    vec4 t = texelFetch(slotMoves, int(slot));
+    return SlotMove(t.xyz, t.w > 0.0);
 }
 
-vec4 pack(SlotLast s)
+vec4 pack(SlotMove s)
 {
-    return vec4(s.position, s.isNew ? 1.0 : 0.0);
+    return vec4(s.move, s.isNew ? 1.0 : 0.0);
 }
 
 /// What evens the stress of its pressure, as of the last fluid_shape.

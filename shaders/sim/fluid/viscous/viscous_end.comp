@@ -23,7 +23,8 @@ void main()
     if (k >= slotCount()) return;
     uint i = fetchSlotParticle(k);
     SlotGoal goal = fetchSlotGoal(k);
-    vec3 change = flowOf(texelFetch(slotFlows, int(k))).velocity - goal.velocity, way = sim.substepTime * change;
+    vec3 before = isFluid(i) ? velocities[i].xyz : goal.velocity;
+    vec3 change = flowOf(texelFetch(slotFlows, int(k))).velocity - before, way = sim.substepTime * change;
     if (change == vec3(0)) return;
     if (isFluid(i)) {
         velocities[i].xyz += change;

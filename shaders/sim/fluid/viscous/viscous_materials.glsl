@@ -9,6 +9,12 @@ struct ViscousMaterial {
     float slip;        // slip length at walls [m]
 };
 
+/// Fluids that are not have no grip.
+bool isViscous(ViscousMaterial material)
+{
+    return material.wallGrip > 0.0;
+}
+
 ViscousMaterial fetchViscousMaterial(uint material)
 {
     vec4 t = texelFetch(viscousMaterials, int(material));

@@ -32,6 +32,13 @@ SlotGrip gripOf(uint k, vec3 x, ViscousMaterial material)
     return grip;
 }
 
+/// The velocity of a particle that has just left a nozzle: viscous fluid that follows, which no particles stand for,
+/// holds it as the nozzle does. If it fell freely, threads would come apart there.
+vec3 heldVelocity(vec3 velocity, ViscousMaterial material)
+{
+    return isViscous(material) ? velocity - sim.substepTime * sim.gravity.xyz : velocity;
+}
+
 /// The sum of a^3 r^4 over its neighbours, over that of a fluid without surfaces. Particles stand in layers at
 /// walls, and further apart where no pressure holds them together: taken as they are, they would slide past each
 /// other too easily.
@@ -63,7 +70,8 @@ void main()
     if (isFluid(i)) {
         ViscousMaterial material = fetchViscousMaterial(fetchParticle(i).material);
         FluidVelocity own = fluidVelocity(velocities[i]);
-        goal = SlotGoal(own.velocity, own.timeHeld > 0.0 ? 0.0 : fetchMass(i).inverseMass);
+        goal = SlotGoal(own.velocity, fetchMass(i).inverseMass);
+        if (own.timeHeld > 0.0) goal = SlotGoal(heldVelocity(own.velocity, material), 0.0);
         newSlotGoals[k] = pack(goal);
         vec3 x = fetchSlotStart(k).position;
         grip = gripOf(k, x, material);

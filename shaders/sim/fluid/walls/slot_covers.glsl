@@ -1,4 +1,5 @@
 // Density that walls and solids add in each slot; see slot_values.glsl.
+#include "shared/fluid_constants.h"
 
 uniform samplerBuffer slotWalls;
 uniform samplerBuffer slotSolids;

@@ -26,8 +26,8 @@ vec4 unpackTurn(vec2 t)
 
 SolidCell fetchSolidCell(uint slot)
 {
-    vec4 now = texelFetch(slotPositions, int(slot)), last = texelFetch(slotLastPositions, int(slot));
-    return SolidCell(now.xyz, now.xyz - last.xyz, unpackTurn(vec2(now.w, -last.w)));
+    vec4 now = texelFetch(slotPositions, int(slot)), move = texelFetch(slotMoves, int(slot));
+    return SolidCell(now.xyz, move.xyz, unpackTurn(vec2(now.w, -move.w)));
 }
 
 /// Along one axis: the fraction of the kernel that lies between -d / 2 and d / 2 from t, its change with t [1/m], and
