@@ -8,6 +8,7 @@
 #include "render/fluids/fluid_looks.h"
 #include "render/fluids/fluid_pass.h"
 #include "render/frame_input.h"
+#include "render/looks/picture_looks.h"
 #include "render/marks/joint_marks.h"
 #include "render/marks/mark_pass.h"
 #include "render/picture/picture_passes.h"
@@ -50,7 +51,8 @@ struct Renderer::Impl {
     RenderTargets targets;
     BufferTable table;
     ViewPasses view;
-    FluidLooks looks;
+    FluidLooks fluidLooks;
+    PictureLooks looks;
     SphereLists lists;
     ColliderPass colliders;
     SkinPass skins;
@@ -71,15 +73,21 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
       framedParticles("framedParticles", std::span<const uint32_t>(framed.words)),
       planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))),
-      targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface)),
-      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), looks(table, world, settings),
+      targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface),
+              settings.background == Background::Transparent),
+      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), fluidLooks(table, world, settings),
+      looks(table, world, settings, extent),
       lists(gpu, table, world, targets.hasSurfaces()), colliders(gpu, table, world, extent, targets),
       skins(gpu, table, world, targets), shapes(gpu, table, world, settings, targets),
-      spheres(gpu, table, world, settings, targets), fluids(gpu, table, world, targets),
-      picture(gpu, table, targets, settings.skinOpacity),
+      spheres(gpu, table, world, settings, targets), fluids(gpu, table, world, settings, targets),
+      picture(gpu, table, targets, settings, looks.lighting(), looks.isMirror()),
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets),
-      reader(settings.width, settings.height)
+      reader(settings.width, settings.height, settings.background == Background::Transparent)
 {
+    if (targets.isTransparent() && (targets.hasSurfaces() || settings.markJoints))
+        throw InputError(
+            "render.background: \"transparent\" is not drawn with surfaces of fluids, nor with marks of joints; draw "
+            "fluids as \"particles\", or take \"sky\" or a colour");
     input.cameraPlaneCount = static_cast<uint32_t>(planes.size());
     gpu.checkErrors();
 }

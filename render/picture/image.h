@@ -16,6 +16,7 @@ struct Image {
     uint32_t width = 0, height = 0;
     std::vector<uint8_t> rgb = {};  ///< width * height * 3
     PngText text = {};              ///< Of its file; not read back.
+    std::vector<uint8_t> alpha = {};  ///< width * height; empty: opaque. Colours are not multiplied by it. Not read back.
 };
 
 /// @throws InputError (missing, not an image) or RunError (disk full; nothing is left half-written).

@@ -10,6 +10,7 @@ flat out vec4 shapePosition;                // w: radius
 flat out vec4 shapeOrientation;
 flat out vec4 shapeHalfExtents;
 flat out vec4 shapeColor;                   // w: shape
+flat out uint finishAlpha;
 out vec3 boxPoint;                          // on the box, world space
 
 void main()
@@ -17,7 +18,9 @@ void main()
     int first = 3 * gl_InstanceID;
     shapeHalfExtents = texelFetch(colliderShapes, first);
     shapeColor = texelFetch(colliderShapes, first + 1);
-    ColliderPlace place = fetchColliderPlace(texelFetch(colliderShapes, first + 2).x);
+    vec4 collider = texelFetch(colliderShapes, first + 2);
+    ColliderPlace place = fetchColliderPlace(collider.x);
+    finishAlpha = uint(collider.y);
     shapePosition = vec4(place.position, shapeHalfExtents.w);
     shapeOrientation = place.orientation;
     vec3 world = shapePosition.xyz + rotate(shapeOrientation, boxCorner(gl_VertexID) * shapeHalfExtents.xyz);

@@ -1,6 +1,13 @@
 // The sphere's nearest point on the pixel's ray: its depth, normal and colour.
 #include "render/common/surface.glsl"
 #include "render/common/sphere_hit.glsl"
+#ifdef PATTERNS
+#include "math/quaternion.glsl"
+#include "render/common/finish_pattern.glsl"
+
+flat in vec3 placeInBody;
+flat in vec4 bodyTurn;
+#endif
 
 flat in vec4 sphere;
 flat in float radius;
@@ -12,6 +19,11 @@ void main()
 {
     SphereHit hit;
     if (!sphereHit(sphere.xyz, radius, gl_FragCoord.xy, hit)) discard;
-    surface = uvec2(packNormal(hit.normal), floatBitsToUint(sphere.w));
+    uint word = floatBitsToUint(sphere.w);
+#ifdef PATTERNS
+    vec3 arm = rotate(conjugate(bodyTurn), directionToWorld(hit.normal) * radius);
+    word = patternedWord(word, placeInBody + arm, pixelWidth(hit.depth, hit.normal));
+#endif
+    surface = uvec2(packNormal(hit.normal), word);
     gl_FragDepth = hit.depth / frame.farDepth;
 }

@@ -41,6 +41,7 @@ struct SkinMaterial {
     bool twoSided = true;                     ///< Also seen from behind.
     float alphaCutoff = 0.0f;                 ///< Pixels with less alpha are not drawn, 0 ... 1.
     std::array<TextureWrap, 2> wrap{};        ///< Along u and v.
+    float roughness = -1.0f, metalness = -1.0f;  ///< 0 ... 1; below 0: the model says nothing of it.
 };
 
 /// Skinned to at most four bodies of an object.
