@@ -61,8 +61,8 @@ struct RenderSettings {
     Background background = Background::Sky;
     Eigen::Vector3f backgroundColor{0, 0, 0};  ///< Linear RGB, before the exposure.
     std::vector<LightSource> lights;           ///< Beside LightSettings' key light, at most LIGHT_SOURCES.
-    uint32_t antialiasing = 1;     ///< Samples per axis and pixel, 1 ... 4. Edges are always filtered; time grows with
-                                   ///< the square.
+    uint32_t antialiasing = 1;  ///< Samples per axis and pixel, 1 ... 4. Edges are always filtered; time grows with
+                                ///< the square.
 };
 
 /// @throws InputError for a value out of range.

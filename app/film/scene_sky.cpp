@@ -15,7 +15,8 @@ void readSkyOf(Scene& scene)
     try {
         light.sky = std::make_shared<const SkyMap>(readSky(light.skyFile));
     } catch (const InputError& error) {
-        failAt(scene.file, "/light/sky", fmt::format("{}; take another picture, \"clear\" or \"gradient\"", error.what()));
+        failAt(scene.file, "/light/sky",
+               fmt::format("{}; take another picture, \"clear\" or \"gradient\"", error.what()));
     }
     if (light.takesSkyColor) light.skyColor = light.sky->meanOf(true);
     if (light.takesGroundColor) light.groundColor = light.sky->meanOf(false);

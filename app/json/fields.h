@@ -68,12 +68,13 @@ struct EnumWords<DrawnAs> {
 
 template <>
 struct EnumWords<Finish> {
-    static constexpr std::array WORDS{"default", "matte", "plastic", "clay",    "wax",     "rubber",
+    static constexpr std::array WORDS{"default", "matte", "plastic", "clay",    "wax",  "rubber",
                                       "metal",   "wood",  "checker", "brushed", "model"};
 };
 template <>
 struct EnumWords<FloorLook> {
-    static constexpr std::array WORDS{"default", "studio", "tiles", "checker", "wood", "grass", "grid", "mirror", "none"};
+    static constexpr std::array WORDS{"default", "studio", "tiles",  "checker", "wood",
+                                      "grass",   "grid",   "mirror", "none"};
 };
 template <>
 struct EnumWords<ToneMap> {

@@ -34,9 +34,8 @@ ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& worl
 {
     upload(world, extent);
     table.add(Lifetime::Constant, planes_, shapes_);
-    const bool haveLooks = std::ranges::any_of(world.colliders, [](const Collider& c) {
-        return c.floor != FloorLook::Default;
-    });
+    const bool haveLooks = std::ranges::any_of(world.colliders,
+                                               [](const Collider& c) { return c.floor != FloorLook::Default; });
     planePass_ = DrawPass(gpu, table,
                           {"colliders/plane", "colliders/plane", haveLooks ? Defines{{"FLOORS", "1"}} : Defines{}},
                           {"frame", "view", "colliderPlaces", "colliderPlanes"}, targets.geometry);

@@ -33,8 +33,7 @@ FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& worl
     clean_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_clean"}, {"frame", "view", "fluidSmoothPicture"},
                       targets.fluidRows);
     shade_ = DrawPass(
-        gpu, table,
-        {"picture/screen", "fluids/fluid_shade", joined({displayDefines(settings), skyDefines(settings)})},
+        gpu, table, {"picture/screen", "fluids/fluid_shade", joined({displayDefines(settings), skyDefines(settings)})},
         {"frame", "view", "litPicture", "depthPicture", "fluidWidePicture", "fluidTintPicture", "fluidGlowPicture",
          "skyPicture", "skyBlurs"},
         targets.wet);

@@ -13,15 +13,15 @@ namespace knuckle {
 
 namespace {
 
-/// In the order of Finish. Roughnesses by eye, beside photographs of such things; plastics and lacquers have a
-/// refractive index of about 1.5, which makes a reflectance of 0.04.
+/// In the order of Finish. Roughnesses and the reflectances of dull things by eye; plastics and lacquers have a
+/// refractive index of about 1.5, which makes 0.04.
 constexpr std::array<FinishLook, 11> FINISHES{{
     {},
-    {.roughness = 0.9f, .reflectance = 0.02f},
+    {.roughness = 0.9f, .reflectance = 0.008f},
     {.roughness = 0.32f},
-    {.roughness = 0.85f, .diffuseRoughness = 0.6f, .reflectance = 0.03f},
+    {.roughness = 0.85f, .diffuseRoughness = 0.6f, .reflectance = 0.015f},
     {.roughness = 0.42f, .wrap = 0.55f},
-    {.roughness = 0.62f, .diffuseRoughness = 0.35f, .reflectance = 0.035f},
+    {.roughness = 0.62f, .diffuseRoughness = 0.35f, .reflectance = 0.025f},
     {.roughness = 0.22f, .metalness = 1.0f},
     {.roughness = 0.55f, .coat = 0.35f, .pattern = PATTERN_WOOD, .patternSize = 0.9f},
     {.roughness = 0.35f, .pattern = PATTERN_CHECKER, .patternSize = 2.0f},
@@ -48,17 +48,19 @@ Finishes::Finishes(const World& world)
 {
     for (const Material& material : world.materials) add(material.finish);
     for (const Collider& collider : world.colliders) add(collider.finish);
-    if (std::ranges::any_of(world.materials, [](const Material& m) { return m.finish.word == Finish::Model; }))
+    const auto isModels = [](const Material& material) { return material.finish.word == Finish::Model; };
+    if (std::ranges::any_of(world.materials, isModels))
         for (const Skin& skin : world.skins)
             for (const SkinMaterial& material : skin.mesh->materials) add(modelFinish(material));
     if (finishes_.size() >= FINISH_NONE)
-        throw InputError(fmt::format("the scene has {} finishes; at most {} can be told apart", finishes_.size(),
-                                     FINISH_NONE - 1));
+        throw InputError(
+            fmt::format("the scene has {} finishes; at most {} can be told apart", finishes_.size(), FINISH_NONE - 1));
 }
 
 void Finishes::add(const SurfaceFinish& finish)
 {
-    if (finish != SurfaceFinish() && finish.word != Finish::Model && std::ranges::find(finishes_, finish) == finishes_.end())
+    if (finish != SurfaceFinish() && finish.word != Finish::Model &&
+        std::ranges::find(finishes_, finish) == finishes_.end())
         finishes_.push_back(finish);
 }
 

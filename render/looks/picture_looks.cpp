@@ -41,8 +41,8 @@ Defines lightingDefines(const World& world, const RenderSettings& settings, cons
 
 PictureLooks::PictureLooks(BufferTable& table, const World& world, const RenderSettings& settings,
                            const SceneExtent& extent)
-    : finishes_("finishes", std::span<const gpu::vec4>(Finishes(world).texels(2.0f * world.particleRadius,
-                                                                              groundFinish(world, extent)))),
+    : finishes_("finishes", std::span<const gpu::vec4>(
+                                Finishes(world).texels(2.0f * world.particleRadius, groundFinish(world, extent)))),
       sources_("lightSources", std::span<const gpu::vec4>(sourcesOf(settings.lights))), sky_(settings.light.sky.get()),
       lighting_(lightingDefines(world, settings, extent)),
       isMirror_(extent.groundCollider != NO_INDEX && world.colliders[extent.groundCollider].visible &&

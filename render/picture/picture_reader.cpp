@@ -64,8 +64,7 @@ Image PictureReader::last()
     }
     if (hasAlpha_)
         for (uint32_t y = height_; y-- > 0;)
-            for (uint32_t x = 0; x < width_; ++x)
-                image.alpha.push_back(pixels[y * rowBytes + BYTES_PER_PIXEL * x + 3]);
+            for (uint32_t x = 0; x < width_; ++x) image.alpha.push_back(pixels[y * rowBytes + BYTES_PER_PIXEL * x + 3]);
     glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     divideByAlpha(image);

@@ -2,8 +2,7 @@
 
 namespace knuckle {
 
-RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces,
-                             bool isTransparent)
+RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces, bool isTransparent)
 {
     const uint32_t w = width * factor, h = height * factor, halfW = (w + 1) / 2, halfH = (h + 1) / 2;
     surface = Texture("surfacePicture", GL_RG32UI, w, h);

@@ -20,7 +20,26 @@ Defines colorDefines(const RenderSettings& settings)
     return {};
 }
 
-/// Where each is in its first body, w: that body; loose ones are apart from each other, w: -1.
+/// The axis along which each body's particles reach furthest.
+std::vector<uint32_t> longestAxes(const World& world)
+{
+    std::vector<uint32_t> axes;
+    for (const Body& body : world.bodies) {
+        Eigen::AlignedBox3f box;
+        for (const Link& link : std::span(world.links).subspan(body.linkStart, body.linkCount))
+            box.extend(link.restOffset);
+        // Of equal ones the first.
+        Vector3f sides = Vector3f::Zero();
+        if (!box.isEmpty()) sides = (box.sizes() / world.particleRadius).array().round().matrix();
+        Eigen::Index axis = 0;
+        sides.maxCoeff(&axis);
+        axes.push_back(static_cast<uint32_t>(axis));
+    }
+    return axes;
+}
+
+/// Where each is in its first body, w: 4 times that body and its longest axis; loose ones are apart from each other,
+/// w: -1.
 std::vector<gpu::vec4> placesOf(const World& world)
 {
     std::vector<gpu::vec4> places;
@@ -28,10 +47,11 @@ std::vector<gpu::vec4> placesOf(const World& world)
         const float apart = static_cast<float>(i % LOOSE_PLACES) * 7.31f * world.particleRadius;
         places.push_back({apart, 0.37f * apart, 0.73f * apart, -1.0f});
     }
+    const std::vector<uint32_t> axes = longestAxes(world);
     for (const Link& link : world.links) {
         if (world.particles[link.particle].body != link.body) continue;
         const Vector3f& at = link.restOffset;
-        places[link.particle] = {at.x(), at.y(), at.z(), static_cast<float>(link.body)};
+        places[link.particle] = {at.x(), at.y(), at.z(), static_cast<float>(4 * link.body + axes[link.body])};
     }
     return places;
 }

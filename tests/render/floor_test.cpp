@@ -57,7 +57,9 @@ TEST(Floor, FarGridIsItsMeanWithoutMoire)
         // A colour's root has steps of 1/255, and so has what is displayed: 0.004 of the light each.
         EXPECT_NEAR(far.mean, expected, 0.006) << height;
         // Where a pixel holds a few lines, one more or less of them in ten is 0.35 x 0.04 / 10, and the steps.
-        if (height > 100.0f) EXPECT_LT(far.deviation, 0.004) << height;
+        if (height > 100.0f) {
+            EXPECT_LT(far.deviation, 0.004) << height;
+        }
     }
 }
 
@@ -111,8 +113,10 @@ TEST(Background, TransparentPicturesHaveAnAlphaWithSoftEdges)
         EXPECT_EQ(alphaAt(2, 2), 0);
         EXPECT_EQ(alphaAt(SIZE / 2, SIZE / 2), 255);
         // Inside, the picture is that on the sky.
-        EXPECT_LE((pixelAt(image, SIZE / 2, SIZE / 2) -
-                   pixelAt(ballOn(Background::Sky, samples), SIZE / 2, SIZE / 2)).cwiseAbs().maxCoeff(), 0);
+        EXPECT_LE((pixelAt(image, SIZE / 2, SIZE / 2) - pixelAt(ballOn(Background::Sky, samples), SIZE / 2, SIZE / 2))
+                      .cwiseAbs()
+                      .maxCoeff(),
+                  0);
         int between = 0;
         double covered = 0.0;
         for (uint32_t i = 0; i < SIZE * SIZE; ++i) {
@@ -121,7 +125,9 @@ TEST(Background, TransparentPicturesHaveAnAlphaWithSoftEdges)
             if (alpha == 0 || alpha == 255) continue;
             ++between;
             // Not darkened by nothing: the ball is red.
-            if (alpha > 60) EXPECT_GT(image.rgb[3 * i], image.rgb[3 * i + 2]) << alpha;
+            if (alpha > 60) {
+                EXPECT_GT(image.rgb[3 * i], image.rgb[3 * i + 2]) << alpha;
+            }
         }
         // The ball's image: radius tan(asin(0.5 / 3)) of the picture's half height at this angle of view.
         const double radius = 0.5 * SIZE * std::tan(std::asin(0.5 / 3.0)) /

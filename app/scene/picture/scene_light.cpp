@@ -22,7 +22,9 @@ bool readIfGiven(const Json& json, const char* key, Eigen::Vector3f& out)
 void makeClear(const JsonFile& file, LightSettings& light)
 {
     const Eigen::Vector3f sun = light.direction.normalized();
-    if (sun.y() <= 0.0f) failAt(file.path, "/light/direction", "has a sun below the horizon, and the sky is \"clear\"; give it a y above 0");
+    if (sun.y() <= 0.0f)
+        failAt(file.path, "/light/direction",
+               "has a sun below the horizon, and the sky is \"clear\"; give it a y above 0");
     const ClearSky sky(sun, file.root["light"]["turbidity"].get<double>());
     light.sky = std::make_shared<const SkyMap>(sky.map());
     light.color = sky.sunColor();

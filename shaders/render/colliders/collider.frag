@@ -25,7 +25,8 @@ void main()
     vec3 inView = directionToView(rotate(shapeOrientation, normal));
     uint word = packAlbedo(shapeColor.rgb, 0.0) | finishAlpha << 24;
 #ifdef PATTERNS
-    word = patternedWord(word, origin + depth * way, pixelWidth(depth, inView));
+    vec3 place = alongAxis(origin + depth * way, longestOf(shapeHalfExtents.xyz));
+    word = patternedWord(word, place, pixelWidth(depth, inView));
 #endif
     surface = uvec2(packNormal(inView), word);
     gl_FragDepth = depth / frame.farDepth;

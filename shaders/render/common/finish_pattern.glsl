@@ -4,7 +4,7 @@
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 
-// Rings around an axis along x beside the body, darker to their outer edge, and fibres along the axis.
+// Rings around an axis along x, beside the body, darker to their outer edge, and fibres along the axis.
 vec3 woodColor(vec3 color, vec3 place, float width)
 {
     float radius = length(place.yz + vec2(2.3, 1.1)) + 0.9 * valueNoise(place * vec3(0.22, 0.55, 0.55));
@@ -36,6 +36,17 @@ float pixelWidth(float depth, vec3 normal)
 {
     float slant = max(abs(dot(normal, normalize(viewRay(gl_FragCoord.xy)))), 0.2);
     return 2.0 * frame.tanHalfFov * depth / (float(frame.height) * sqrt(slant));
+}
+
+int longestOf(vec3 size)
+{
+    return size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
+}
+
+// A place with what is along an axis first: patterns go along x.
+vec3 alongAxis(vec3 place, int axis)
+{
+    return axis == 0 ? place : axis == 1 ? place.yzx : place.zxy;
 }
 
 /// @param word  A surface's colour word. @param place  In the body [m]. @param pixel  The width of a pixel there [m].

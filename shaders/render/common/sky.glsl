@@ -25,12 +25,13 @@ vec3 skyTowards(vec3 way)
     return skyRadiance(dot(way, view.upInView.xyz));
 }
 
-// What a surface of a roughness mirrors of it.
+// What a surface of a roughness mirrors of it: below the horizon the ground, which comes up to it.
 vec3 skyMirrored(vec3 way, float roughness)
 {
-    float up = dot(way, view.upInView.xyz);
+    float up = dot(way, view.upInView.xyz), low = max(-up, 0.0);
     vec3 all = mix(frame.groundColor.rgb, frame.skyColor.rgb, 0.5 + 0.5 * up);
-    return mix(skyRadiance(up), all, roughness * roughness * (3.0 - 2.0 * roughness));
+    vec3 sharp = mix(skyRadiance(max(up, 0.0)), frame.groundColor.rgb, low / (low + 0.04));
+    return mix(sharp, all, roughness * roughness * (3.0 - 2.0 * roughness));
 }
 
 // What far ground fades into. `ray`: in view space, of any length.

@@ -1,5 +1,5 @@
-// A film's way from saturated colours to white (T. Sobotka, "AgX", 2022; matrices and polynomial of B. Wrensch, "Minimal
-// AgX Implementation", 2023).
+// A film's way from saturated colours to white (T. Sobotka, "AgX", 2022; matrices and polynomial of B. Wrensch,
+// "Minimal AgX Implementation", 2023).
 
 const mat3 AGX_IN = mat3(0.842479062253094, 0.0423282422610123, 0.0423756549057051,
                          0.0784335999999992, 0.878468636469772, 0.0784336,

@@ -45,8 +45,8 @@ vec3 lobe(vec3 straight, float alpha, Facing facing, vec3 way, float lit)
     return (straight + (1.0 - straight) * rest2 * rest2 * rest) * (a2 / (flat_ * flat_) * 0.5 / max(masking, 1e-5));
 }
 
-// What comes back of light from one direction, over that of a white matt surface that faces it. @param reach  Share that
-// is not in shadow. @param inside  The same of light that goes round. @param width  Tangent of the light's radius.
+// What comes back of light from one direction, over that of a white matt surface that faces it. @param reach  Share
+// that is not in shadow. @param inside  The same of light that goes round. @param width  Tangent of the light's radius.
 vec3 directShare(Finish finish, vec3 albedo, Facing facing, vec3 way, float reach, float inside, float width)
 {
     float cosine = dot(facing.normal, way), lit = max(cosine, 0.0);

@@ -1,5 +1,5 @@
-// Polished ground over the lit picture: what the ray that it mirrors meets in the picture, else the sky. What the camera
-// does not see, as the undersides of things, is not mirrored either: its front is, or the sky.
+// Polished ground over the lit picture: what the ray that it mirrors meets in the picture, else the sky. What the
+// camera does not see, as the undersides of things, is not mirrored either: its front is, or the sky.
 #include "render/common/frame_blocks.glsl"
 #include "render/common/sky.glsl"
 #include "render/common/surface.glsl"

@@ -21,7 +21,8 @@ void main()
     if (depth <= 0.0) discard;
     uint word = uint(source.w) | finishAlpha << 24;
 #ifdef PATTERNS
-    word = patternedWord(word, source.xyz + depth * ray, pixelWidth(depth, normal * toShape));
+    word = patternedWord(word, alongAxis(source.xyz + depth * ray, longestOf(rounded.xyz)),
+                         pixelWidth(depth, normal * toShape));
 #endif
     surface = uvec2(packNormal(normal * toShape), word);
     gl_FragDepth = depth / frame.farDepth;

@@ -4,7 +4,7 @@
 #include "shared/draw_types.h"
 
 uniform usamplerBuffer skinPlaces;          // place [m] and normal
-uniform usamplerBuffer skinGroups;          // wearer, its first vertex, number of the wearer's earlier vertices; its finish
+uniform usamplerBuffer skinGroups;          // wearer, its first vertex, number of earlier ones; its finish
 uniform samplerBuffer skinVertexLooks;      // uv, colour, material
 
 out vec3 viewNormal;

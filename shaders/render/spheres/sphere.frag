@@ -5,7 +5,7 @@
 #include "math/quaternion.glsl"
 #include "render/common/finish_pattern.glsl"
 
-flat in vec3 placeInBody;
+flat in vec4 placeInBody;
 flat in vec4 bodyTurn;
 #endif
 
@@ -22,7 +22,8 @@ void main()
     uint word = floatBitsToUint(sphere.w);
 #ifdef PATTERNS
     vec3 arm = rotate(conjugate(bodyTurn), directionToWorld(hit.normal) * radius);
-    word = patternedWord(word, placeInBody + arm, pixelWidth(hit.depth, hit.normal));
+    vec3 place = alongAxis(placeInBody.xyz + arm, int(placeInBody.w));
+    word = patternedWord(word, place, pixelWidth(hit.depth, hit.normal));
 #endif
     surface = uvec2(packNormal(hit.normal), word);
     gl_FragDepth = hit.depth / frame.farDepth;

@@ -1,14 +1,16 @@
 // Where a sphere is in its body, for a pattern that turns with it.
 
-uniform samplerBuffer spherePlaces;     // of the middle, in the body's axes [m]; w: the body, below 0 for none
+uniform samplerBuffer spherePlaces;     // of the middle, in the body's axes [m]; w: 4 times the body, below 0 for none,
+                                        // and the axis along which it is longest
 uniform samplerBuffer bodyRotations;
 
-flat out vec3 placeInBody;
+flat out vec4 placeInBody;              // w: that axis
 flat out vec4 bodyTurn;
 
 void placeSphere(int particle)
 {
     vec4 place = texelFetch(spherePlaces, particle);
-    placeInBody = place.xyz;
-    bodyTurn = place.w < 0.0 ? vec4(0, 0, 0, 1) : texelFetch(bodyRotations, int(place.w));
+    int which = int(place.w);
+    placeInBody = vec4(place.xyz, which < 0 ? 0 : which & 3);
+    bodyTurn = which < 0 ? vec4(0, 0, 0, 1) : texelFetch(bodyRotations, which >> 2);
 }

@@ -11,7 +11,8 @@ namespace {
 /// A scene of one box with `fields` added at the top.
 Scene sceneWith(const TempFolder& folder, const std::string& fields)
 {
-    return loadScene(folder.write("scene.json", R"({ "objects": [{ "type": "rigid", "shape": "box" }], )" + fields + "}"));
+    return loadScene(
+        folder.write("scene.json", R"({ "objects": [{ "type": "rigid", "shape": "box" }], )" + fields + "}"));
 }
 
 std::string problemOf(const std::string& fields)
@@ -26,7 +27,9 @@ TEST(SceneLooks, ReadsFinishesAndWhatDiffersFromThem)
 {
     const TempFolder folder;
     const World world = sceneWith(folder, R"("materials": { "default": { "finish": "wax", "roughness": 0.2 } },
-        "colliders": [{ "type": "plane", "floor": "tiles" }, { "type": "box", "finish": "metal", "metalness": 0.5 }])").world;
+        "colliders": [{ "type": "plane", "floor": "tiles" },
+                      { "type": "sphere", "finish": "metal", "metalness": 0.5 }])")
+                            .world;
     EXPECT_EQ(world.materials[0].finish, (SurfaceFinish{Finish::Wax, 0.2f, -1.0f}));
     EXPECT_EQ(world.colliders[0].floor, FloorLook::Tiles);
     EXPECT_EQ(world.colliders[0].finish, SurfaceFinish());
@@ -39,7 +42,8 @@ TEST(SceneLooks, ReadsLights)
     const RenderSettings render = sceneWith(folder, R"("lights": [
         { "type": "point", "position": [1, 2, 3], "color": [1, 0, 0], "intensity": 7 },
         { "type": "directional", "direction": [0, 1, 0] }], "light": { "color": [0.5, 0.6, 0.7] },
-        "render": { "toneMap": "agx", "background": [0.1, 0.2, 0.3] })").render;
+        "render": { "toneMap": "agx", "background": [0.1, 0.2, 0.3] })")
+                                      .render;
     ASSERT_EQ(render.lights.size(), 2u);
     EXPECT_TRUE(render.lights[0].isPoint);
     EXPECT_EQ(render.lights[0].place, Eigen::Vector3f(1, 2, 3));
@@ -57,14 +61,16 @@ TEST(SceneLooks, SkyGivesColorsUnlessTheSceneDoes)
     const LightSettings plain = sceneWith(folder, R"("light": {})").render.light;
     EXPECT_EQ(plain.sky, nullptr);
     EXPECT_EQ(plain.skyColor, LightSettings().skyColor);
-    const LightSettings clear = sceneWith(folder, R"("light": { "sky": "clear", "groundColor": [1, 2, 3] })").render.light;
+    const LightSettings clear =
+        sceneWith(folder, R"("light": { "sky": "clear", "groundColor": [1, 2, 3] })").render.light;
     ASSERT_NE(clear.sky, nullptr);
     EXPECT_EQ(clear.skyColor, clear.sky->meanOf(true));
     EXPECT_EQ(clear.groundColor, Eigen::Vector3f(1, 2, 3));
     EXPECT_GT(clear.skyColor.z(), clear.skyColor.x()) << "the sky is blue";
     EXPECT_NE(clear.color, LightSettings().color);
     folder.write("sky.png", "not yet read");
-    const LightSettings picture = sceneWith(folder, R"("light": { "sky": "sky.png", "skyColor": [1, 1, 1] })").render.light;
+    const LightSettings picture =
+        sceneWith(folder, R"("light": { "sky": "sky.png", "skyColor": [1, 1, 1] })").render.light;
     EXPECT_EQ(picture.skyFile, folder.path("sky.png"));
     EXPECT_TRUE(picture.takesGroundColor);
     EXPECT_FALSE(picture.takesSkyColor);
@@ -74,13 +80,15 @@ TEST(SceneLooks, MistakesAreTold)
 {
     EXPECT_EQ(problemOf(R"("materials": { "a": { "finish": "wod" } })"),
               ": /materials/a/finish: \"wod\" is unknown; did you mean \"wood\"?");
-    EXPECT_EQ(problemOf(R"("materials": { "a": { "fluid": true, "finish": "wax" } })"),
-              ": /materials/a/finish: is for what is solid; a fluid looks as `color`, `absorption` and `scattering` say");
+    EXPECT_EQ(
+        problemOf(R"("materials": { "a": { "fluid": true, "finish": "wax" } })"),
+        ": /materials/a/finish: is for what is solid; a fluid looks as `color`, `absorption` and `scattering` say");
     EXPECT_EQ(problemOf(R"("materials": { "a": { "roughness": 2 } })"),
               ": /materials/a/roughness: 2 is above the maximum 1");
-    EXPECT_EQ(problemOf(R"("colliders": [{ "type": "plane", "floor": "lawn" }])"),
-              ": /colliders/0/floor: \"lawn\" is unknown; known: default, studio, tiles, checker, wood, grass, grid, mirror, "
-              "none");
+    EXPECT_EQ(
+        problemOf(R"("colliders": [{ "type": "plane", "floor": "lawn" }])"),
+        ": /colliders/0/floor: \"lawn\" is unknown; known: default, studio, tiles, checker, wood, grass, grid, mirror, "
+        "none");
     EXPECT_EQ(problemOf(R"("light": { "sky": "clear", "direction": [1, -0.1, 0] })"),
               ": /light/direction: has a sun below the horizon, and the sky is \"clear\"; give it a y above 0");
     EXPECT_EQ(problemOf(R"("light": { "sky": "clear", "turbidity": 1 })"),
