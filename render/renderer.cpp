@@ -23,6 +23,19 @@
 
 namespace knuckle {
 
+namespace {
+
+void checkTransparency(const World& world, const RenderSettings& settings)
+{
+    if (settings.background != Background::Transparent) return;
+    if (settings.markJoints || drawsFluids(world, settings, DrawnAs::Surface))
+        throw InputError(
+            "render.background: \"transparent\" is not drawn with surfaces of fluids, nor with marks of joints; draw "
+            "fluids as \"particles\", or take \"sky\" or a colour");
+}
+
+}  // namespace
+
 /// Members are in the order of their dependencies: each pass finds its inputs in the table when it is made.
 struct Renderer::Impl {
     Impl(Gpu& gpu, const World& world, const RenderSettings& chosen);
@@ -66,8 +79,8 @@ struct Renderer::Impl {
 };
 
 Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
-    : settings((checkSettings(chosen), chosen)), extent(sceneExtent(world)), shots(shotsOf(settings)),
-      cameras(camerasOf(shots, world, float(settings.width) / float(settings.height))),
+    : settings((checkSettings(chosen), checkTransparency(world, chosen), chosen)), extent(sceneExtent(world)),
+      shots(shotsOf(settings)), cameras(camerasOf(shots, world, float(settings.width) / float(settings.height))),
       framed(framedSets(shots, world)), input(frameInput(world, settings, extent)),
       beads(drawsFluids(world, settings, DrawnAs::Particles)),
       unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
@@ -84,10 +97,6 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets),
       reader(settings.width, settings.height, settings.background == Background::Transparent)
 {
-    if (targets.isTransparent() && (targets.hasSurfaces() || settings.markJoints))
-        throw InputError(
-            "render.background: \"transparent\" is not drawn with surfaces of fluids, nor with marks of joints; draw "
-            "fluids as \"particles\", or take \"sky\" or a colour");
     input.cameraPlaneCount = static_cast<uint32_t>(planes.size());
     gpu.checkErrors();
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "sim/base/errors.h"
 #include "tests/render/render_fixture.h"
 
 namespace knuckle::test {
@@ -136,6 +137,42 @@ TEST(Background, TransparentPicturesHaveAnAlphaWithSoftEdges)
         // Its circumference is right within a tenth of a pixel.
         EXPECT_NEAR(covered, 3.14159265 * radius * radius, 0.1 * 2.0 * 3.14159265 * radius + 1.0);
     }
+}
+
+TEST(Floor, MirrorShowsWhatStandsOnIt)
+{
+    const auto picture = [](FloorLook look) {
+        StillWorld still(0.05f);
+        still.addCollider(ColliderShape::Plane, {0, 0, 0}).floor = look;
+        Collider& box = still.addCollider(ColliderShape::Box, {0, 0.5f, 0});
+        box.halfExtents = {0.5f, 0.5f, 0.05f};
+        box.color = {0.9f, 0.02f, 0.02f};
+        RenderSettings settings = lookFrom({0, 0.6f, 4}, {0, 0.3f, 0}, SIZE, SIZE);
+        settings.light.direction = {0, 1, 0.2f};  // no shadow in front
+        return drawn(still.world, settings);
+    };
+    // The box's foot, 4 m away and 0.3 m below the middle of what is seen, has its image below it, a quarter of a metre
+    // of it here.
+    const auto redness = [&](FloorLook look) {
+        const Eigen::Vector3i below = pixelAt(picture(look), SIZE / 2, SIZE / 2 + 18);
+        return below.x() - below.z();
+    };
+    EXPECT_GT(redness(FloorLook::Mirror), redness(FloorLook::Studio) + 15);
+    const auto beside = [&](FloorLook look) { return pixelAt(picture(look), 4, SIZE / 2 + 18); };
+    EXPECT_LT(std::abs(beside(FloorLook::Mirror).x() - beside(FloorLook::Mirror).z()), 40) << "the sky";
+}
+
+TEST(Background, SurfacesOfFluidsRefuseToBeTransparent)
+{
+    StillWorld still(0.05f);
+    still.world.fluidSpacing = 0.05f;
+    addFluid(still.world, {{0, 1, 0}});
+    RenderSettings settings = lookFrom({0, 0, 3}, {0, 0, 0}, SIZE, SIZE);
+    settings.background = Background::Transparent;
+    EXPECT_THROW(drawn(still.world, settings), InputError);
+    settings.markJoints = true;
+    StillWorld empty(0.05f);
+    EXPECT_THROW(drawn(empty.world, settings), InputError);
 }
 
 TEST(Background, ColorIsWhereNothingIs)
