@@ -4,6 +4,8 @@
 #include "render/colliders/ray_shapes.glsl"
 #ifdef PATTERNS
 #include "render/common/finish_pattern.glsl"
+
+flat in uint patternSeed;
 #endif
 
 flat in vec4 shapePosition;
@@ -26,7 +28,7 @@ void main()
     uint word = packAlbedo(shapeColor.rgb, 0.0) | finishAlpha << 24;
 #ifdef PATTERNS
     vec3 place = alongAxis(origin + depth * way, longestOf(shapeHalfExtents.xyz));
-    word = patternedWord(word, place, pixelWidth(depth, inView));
+    word = patternedWord(word, place, patternSeed, pixelWidth(depth, inView));
 #endif
     surface = uvec2(packNormal(inView), word);
     gl_FragDepth = depth / frame.farDepth;

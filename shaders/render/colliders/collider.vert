@@ -11,6 +11,9 @@ flat out vec4 shapeOrientation;
 flat out vec4 shapeHalfExtents;
 flat out vec4 shapeColor;                   // w: shape
 flat out uint finishAlpha;
+#ifdef PATTERNS
+flat out uint patternSeed;
+#endif
 out vec3 boxPoint;                          // on the box, world space
 
 void main()
@@ -21,6 +24,9 @@ void main()
     vec4 collider = texelFetch(colliderShapes, first + 2);
     ColliderPlace place = fetchColliderPlace(collider.x);
     finishAlpha = uint(collider.y);
+#ifdef PATTERNS
+    patternSeed = uint(collider.x);
+#endif
     shapePosition = vec4(place.position, shapeHalfExtents.w);
     shapeOrientation = place.orientation;
     vec3 world = shapePosition.xyz + rotate(shapeOrientation, boxCorner(gl_VertexID) * shapeHalfExtents.xyz);

@@ -18,7 +18,7 @@ void main()
     vec3 normal = normalize(viewNormal);
     uint word = packAlbedo(color, 0.0) | finishAlpha << 24;
 #ifdef PATTERNS
-    word = patternedWord(word, ownPlace, pixelWidth(-viewPlace.z, normal));
+    word = patternedWord(word, ownPlace, 0u, pixelWidth(-viewPlace.z, normal));
 #endif
     surface = uvec2(packNormal(dot(normal, viewPlace) > 0.0 ? -normal : normal), word);
     gl_FragDepth = -viewPlace.z / frame.farDepth;

@@ -49,8 +49,9 @@ vec3 alongAxis(vec3 place, int axis)
     return axis == 0 ? place : axis == 1 ? place.yzx : place.zxy;
 }
 
-/// @param word  A surface's colour word. @param place  In the body [m]. @param pixel  The width of a pixel there [m].
-uint patternedWord(uint word, vec3 place, float pixel)
+/// @param word  A surface's colour word. @param place  In the body [m]. @param seed  Of the body, so that no two planks
+/// are the same. @param pixel  The width of a pixel there [m].
+uint patternedWord(uint word, vec3 place, uint seed, float pixel)
 {
     uint alpha = word >> 24;
     if (alpha == FINISH_NONE) return word;
@@ -58,6 +59,7 @@ uint patternedWord(uint word, vec3 place, float pixel)
     if (finish.pattern == PATTERN_NONE) return word;
     vec3 color = unpackAlbedo(word), at = place / finish.patternSize;
     float width = pixel / finish.patternSize;
+    if (finish.pattern != PATTERN_CHECKER) at += 7.0 * fract(float(seed) * vec3(0.618034, 0.754878, 0.569840));
     color = finish.pattern == PATTERN_WOOD      ? woodColor(color, at, width)
             : finish.pattern == PATTERN_CHECKER ? checkerColor(color, at, width)
                                                 : brushedColor(color, at, width);

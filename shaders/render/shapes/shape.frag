@@ -4,6 +4,8 @@
 #include "render/shapes/ray_rounded.glsl"
 #ifdef PATTERNS
 #include "render/common/finish_pattern.glsl"
+
+flat in uint patternSeed;
 #endif
 
 flat in vec4 rounded;
@@ -21,7 +23,7 @@ void main()
     if (depth <= 0.0) discard;
     uint word = uint(source.w) | finishAlpha << 24;
 #ifdef PATTERNS
-    word = patternedWord(word, alongAxis(source.xyz + depth * ray, longestOf(rounded.xyz)),
+    word = patternedWord(word, alongAxis(source.xyz + depth * ray, longestOf(rounded.xyz)), patternSeed,
                          pixelWidth(depth, normal * toShape));
 #endif
     surface = uvec2(packNormal(normal * toShape), word);

@@ -15,6 +15,9 @@ out vec4 boxPoint;                          // in the shape's frame; w: its dept
 #else
 flat out mat3 toShape;                      // from the view's axes
 flat out uint finishAlpha;
+#ifdef PATTERNS
+flat out uint patternSeed;
+#endif
 #endif
 
 void main()
@@ -35,6 +38,9 @@ void main()
     vec4 look = texelFetch(bodyShapes, first + 2);
     source = vec4((view.cameraPosition.xyz - middle) * axes, shapeColor(look.xyz));
     finishAlpha = uint(look.w);
+#ifdef PATTERNS
+    patternSeed = uint(place.w);
+#endif
     toShape = transpose(axes) * mat3(view.cameraRight.xyz, view.cameraUp.xyz, view.cameraBack.xyz);
     gl_Position = projectView(toView(world));
     // The depth of the nearest point that it may have: what is hidden can be skipped before the ray.

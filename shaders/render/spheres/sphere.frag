@@ -7,6 +7,7 @@
 
 flat in vec4 placeInBody;
 flat in vec4 bodyTurn;
+flat in uint patternSeed;
 #endif
 
 flat in vec4 sphere;
@@ -23,7 +24,7 @@ void main()
 #ifdef PATTERNS
     vec3 arm = rotate(conjugate(bodyTurn), directionToWorld(hit.normal) * radius);
     vec3 place = alongAxis(placeInBody.xyz + arm, int(placeInBody.w));
-    word = patternedWord(word, place, pixelWidth(hit.depth, hit.normal));
+    word = patternedWord(word, place, patternSeed, pixelWidth(hit.depth, hit.normal));
 #endif
     surface = uvec2(packNormal(hit.normal), word);
     gl_FragDepth = hit.depth / frame.farDepth;
