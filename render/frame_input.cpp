@@ -13,14 +13,30 @@ namespace {
 
 /// View depth of the depth buffer's 1 [m]; depth is linear in floats, so this can be large.
 constexpr float FAR_DEPTH = 20000.0f;
+/// Where the ground has mostly become the horizon, in sizes of the scene: a plain, and the sweep of a studio.
+constexpr float FADE = 9.0f, STUDIO_FADE = 2.5f;
+/// How far the ground throws light, in sizes of the scene.
+constexpr float BOUNCE_REACH = 0.35f;
 /// How near a camera may come to a plane, as a share of the scene's size.
 constexpr float CLEARANCE = 0.03f;
-const Vector3f KEY_TINT{1.0f, 0.955f, 0.89f};
 const Vector3f GROUND_ALBEDO{0.5f, 0.5f, 0.5f};
 
 gpu::vec4 vec4Of(const Vector3f& v, float w = 0.0f)
 {
     return {v.x(), v.y(), v.z(), w};
+}
+
+/// The mean of what the ground shows.
+Vector3f groundColor(const World& world, const SceneExtent& extent)
+{
+    if (extent.groundCollider == NO_INDEX) return Vector3f::Zero();
+    const Collider& ground = world.colliders[extent.groundCollider];
+    // As shaders/render/colliders/floor_looks.glsl tints them.
+    const Vector3f tint = ground.floor == FloorLook::Wood      ? Vector3f(1.0f, 0.72f, 0.47f)
+                          : ground.floor == FloorLook::Grass   ? Vector3f(0.39f, 0.58f, 0.18f)
+                          : ground.floor == FloorLook::Checker ? Vector3f::Constant(0.62f)
+                                                               : Vector3f::Ones();
+    return ground.color.cwiseProduct(tint);
 }
 
 /// 1, 2 or 5 times a power of ten, at most `size`.
@@ -37,10 +53,12 @@ gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, c
     gpu::FrameInput input{};
     const LightSettings& light = settings.light;
     input.keyDirection = vec4Of(light.direction.normalized(), std::tan(light.softness * DEGREE));
-    input.keyColor = vec4Of(KEY_TINT * light.intensity, settings.skinError);
+    input.keyColor = vec4Of(light.color * light.intensity, settings.skinError);
     input.skyColor = vec4Of(light.skyColor);
     input.groundColor = vec4Of(light.groundColor, settings.exposure);
     input.groundAlbedo = vec4Of(GROUND_ALBEDO, extent.ground);
+    input.backdrop = vec4Of(settings.backgroundColor, BOUNCE_REACH * extent.size);
+    input.bounce = vec4Of(groundColor(world, extent), light.bounce);
     input.shadowLimitLow = vec4Of(extent.limit.min());
     input.shadowLimitHigh = vec4Of(extent.limit.max());
     input.solidLow = vec4Of(extent.solids.min());
@@ -54,7 +72,9 @@ gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, c
     input.shadowSize = static_cast<float>(SHADOW_SIZE);
     input.occlusionRadius = std::clamp(0.05f * extent.size, 4.0f * world.particleRadius, 14.0f * world.particleRadius);
     input.patternScale = roundLength(0.25f * extent.size);
-    input.groundFade = 9.0f * extent.size;
+    const bool isStudio = extent.groundCollider != NO_INDEX &&
+                          world.colliders[extent.groundCollider].floor == FloorLook::Studio;
+    input.groundFade = (isStudio ? STUDIO_FADE : FADE) * extent.size;
     input.resolveFactor = settings.antialiasing;
     input.cameraClearance = CLEARANCE * extent.size;
     return input;

@@ -8,6 +8,7 @@
 #include "render/fluids/fluid_looks.h"
 #include "render/fluids/fluid_pass.h"
 #include "render/frame_input.h"
+#include "render/looks/picture_looks.h"
 #include "render/marks/joint_marks.h"
 #include "render/marks/mark_pass.h"
 #include "render/picture/picture_passes.h"
@@ -21,6 +22,19 @@
 #include "sim/base/errors.h"
 
 namespace knuckle {
+
+namespace {
+
+void checkTransparency(const World& world, const RenderSettings& settings)
+{
+    if (settings.background != Background::Transparent) return;
+    if (settings.markJoints || drawsFluids(world, settings, DrawnAs::Surface))
+        throw InputError(
+            "render.background: \"transparent\" is not drawn with surfaces of fluids, nor with marks of joints; draw "
+            "fluids as \"particles\", or take \"sky\" or a colour");
+}
+
+}  // namespace
 
 /// Members are in the order of their dependencies: each pass finds its inputs in the table when it is made.
 struct Renderer::Impl {
@@ -50,7 +64,8 @@ struct Renderer::Impl {
     RenderTargets targets;
     BufferTable table;
     ViewPasses view;
-    FluidLooks looks;
+    FluidLooks fluidLooks;
+    PictureLooks looks;
     SphereLists lists;
     ColliderPass colliders;
     SkinPass skins;
@@ -64,21 +79,23 @@ struct Renderer::Impl {
 };
 
 Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
-    : settings((checkSettings(chosen), chosen)), extent(sceneExtent(world)), shots(shotsOf(settings)),
-      cameras(camerasOf(shots, world, float(settings.width) / float(settings.height))),
+    : settings((checkSettings(chosen), checkTransparency(world, chosen), chosen)), extent(sceneExtent(world)),
+      shots(shotsOf(settings)), cameras(camerasOf(shots, world, float(settings.width) / float(settings.height))),
       framed(framedSets(shots, world)), input(frameInput(world, settings, extent)),
       beads(drawsFluids(world, settings, DrawnAs::Particles)),
       unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
       framedParticles("framedParticles", std::span<const uint32_t>(framed.words)),
       planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))),
-      targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface)),
-      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), looks(table, world, settings),
-      lists(gpu, table, world, targets.hasSurfaces()), colliders(gpu, table, world, extent, targets),
-      skins(gpu, table, world, targets), shapes(gpu, table, world, settings, targets),
-      spheres(gpu, table, world, settings, targets), fluids(gpu, table, world, targets),
-      picture(gpu, table, targets, settings.skinOpacity),
+      targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface),
+              settings.background == Background::Transparent),
+      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), fluidLooks(table, world, settings),
+      looks(table, world, settings, extent), lists(gpu, table, world, targets.hasSurfaces()),
+      colliders(gpu, table, world, extent, targets), skins(gpu, table, world, targets),
+      shapes(gpu, table, world, settings, targets), spheres(gpu, table, world, settings, targets),
+      fluids(gpu, table, world, settings, targets),
+      picture(gpu, table, targets, settings, looks.lighting(), looks.isMirror()),
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets),
-      reader(settings.width, settings.height)
+      reader(settings.width, settings.height, settings.background == Background::Transparent)
 {
     input.cameraPlaneCount = static_cast<uint32_t>(planes.size());
     gpu.checkErrors();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "sim/base/errors.h"
 
@@ -40,6 +41,9 @@ void checkSettings(const RenderSettings& settings)
     requireRange(settings.width, 16, 8192, "render.width");
     requireRange(settings.height, 16, 8192, "render.height");
     requireRange(settings.antialiasing, 1, 4, "render.antialiasing");
+    requireRange(static_cast<double>(settings.lights.size()), 0, LIGHT_SOURCES, "lights");
+    if (!settings.light.skyFile.empty() && settings.light.sky == nullptr)
+        throw std::logic_error("the picture of the sky has not been read");
     requireRange(settings.skinOpacity, 0, 1, "render.skinOpacity");
     requireRange(settings.skinError, 0, 100, "render.skinError");
     requireRange(settings.exposure, 0.01, 100, "render.exposure");

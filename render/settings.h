@@ -2,9 +2,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "render/camera_settings.h"
+#include "render/sky/sky_map.h"
 
 namespace knuckle {
 
@@ -14,7 +17,30 @@ struct LightSettings {
     float softness = 2.0f;                           ///< Angular radius of the key light [degrees], 0 ... 20.
     Eigen::Vector3f skyColor{0.55f, 0.68f, 0.9f};
     Eigen::Vector3f groundColor{0.32f, 0.30f, 0.28f};
+    Eigen::Vector3f color{1.0f, 0.955f, 0.89f};  ///< Of the key light.
+    float bounce = 0.0f;                         ///< How much the ground's light counts on what is near it, 0 ... 1.
+    std::shared_ptr<const SkyMap> sky;           ///< What is behind everything; null: a gradient of those colours.
+    std::string skyFile;                         ///< Of a picture that `sky` is to be; empty: none.
+    bool takesSkyColor = false;                  ///< skyColor is to come from that picture.
+    bool takesGroundColor = false;               ///< The same of groundColor.
 };
+
+/// A light beside the key light. It casts no shadow.
+struct LightSource {
+    bool isPoint = true;
+    Eigen::Vector3f place{0, 2, 0};  ///< Of a point [m]; otherwise towards it, normalized when used.
+    Eigen::Vector3f color{1, 1, 1};
+    float intensity = 3.0f;  ///< As of the key light; of a point, at a distance of 1 m. 0 ... 1000.
+};
+
+/// As many as a scene may have.
+inline constexpr size_t LIGHT_SOURCES = 4;
+
+/// How light becomes a displayed colour.
+enum class ToneMap : uint32_t { Film, Neutral, Agx, Linear };
+
+/// What is where nothing is.
+enum class Background : uint32_t { Sky, Transparent, Color };
 
 enum class ColorBy : uint32_t { Body, Material, Particle, Speed };
 
@@ -31,8 +57,12 @@ struct RenderSettings {
     float skinError = 0.65f;       ///< Tolerated error of far-off skins [pixels], 0 ... 100; 0: draws all triangles.
     float speedScale = 5.0f;       ///< ColorBy::Speed: the speed [m/s] at the end of the colour scale.
     float exposure = 1.0f;         ///< Linear factor before tone mapping, 0.01 ... 100.
-    uint32_t antialiasing = 1;     ///< Samples per axis and pixel, 1 ... 4. Edges are always filtered; time grows with
-                                   ///< the square.
+    ToneMap toneMap = ToneMap::Film;
+    Background background = Background::Sky;
+    Eigen::Vector3f backgroundColor{0, 0, 0};  ///< Linear RGB, before the exposure.
+    std::vector<LightSource> lights;           ///< Beside LightSettings' key light, at most LIGHT_SOURCES.
+    uint32_t antialiasing = 1;  ///< Samples per axis and pixel, 1 ... 4. Edges are always filtered; time grows with
+                                ///< the square.
 };
 
 /// @throws InputError for a value out of range.

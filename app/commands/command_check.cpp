@@ -6,6 +6,7 @@
 #include "app/branch/branch.h"
 #include "app/commands/commands.h"
 #include "app/files/assets.h"
+#include "app/film/scene_sky.h"
 #include "app/run/counted.h"
 #include "app/run/tell.h"
 #include "app/scene/scene_file.h"
@@ -29,7 +30,8 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
     int code = EXIT_FINE;
     for (const std::string& path : paths) {
         try {
-            const Scene scene = loadScene(findAsset(path), overrides);
+            Scene scene = loadScene(findAsset(path), overrides);
+            readSkyOf(scene);
             const std::unique_ptr<Branch> branch = openBranch(scene);
             if (quiet) continue;
             if (branch) fmt::print("{}: note: {}\n", path, branch->note());

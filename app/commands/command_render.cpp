@@ -12,6 +12,7 @@
 #include "app/files/assets.h"
 #include "app/film/film_outputs.h"
 #include "app/film/replay.h"
+#include "app/film/scene_sky.h"
 #include "app/run/tell.h"
 #include "render/output/film_kinds.h"
 #include "sim/base/errors.h"
@@ -163,7 +164,8 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     }
     film.source = {named, overrides};
     const std::string file = findAsset(named);
-    const Scene scene = loadScene(file, overrides, needsOf(exporters).surfaces);
+    Scene scene = loadScene(file, overrides, needsOf(exporters).surfaces);
+    readSkyOf(scene);
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", named, warning));

@@ -93,6 +93,11 @@ std::unique_ptr<FrameSink> FilmOutputs::makeSink(const Scene& scene, const FilmO
                                                  const FrameRange& range, Checkpoint* checkpoint)
 {
     const std::string& path = options.outputs[output];
+    if (scene.render.background == Background::Transparent && (isFilm(path) || FrameNames::of(path).areJpeg()))
+        throw InputError(
+            fmt::format("-o {}: has no alpha, and render.background is \"transparent\"; write PNG, or --set "
+                        "render.background=sky",
+                        path));
     if (!isFilm(path)) {
         const FrameNames names = FrameNames::of(path);
         if (names.digits == 0 && range.count() > 1)

@@ -66,6 +66,21 @@ struct EnumWords<DrawnAs> {
     static constexpr std::array WORDS{"auto", "particles", "surface", "shape"};
 };
 
+template <>
+struct EnumWords<Finish> {
+    static constexpr std::array WORDS{"default", "matte", "plastic", "clay",    "wax",  "rubber",
+                                      "metal",   "wood",  "checker", "brushed", "model"};
+};
+template <>
+struct EnumWords<FloorLook> {
+    static constexpr std::array WORDS{"default", "studio", "tiles",  "checker", "wood",
+                                      "grass",   "grid",   "mirror", "none"};
+};
+template <>
+struct EnumWords<ToneMap> {
+    static constexpr std::array WORDS{"film", "neutral", "agx", "linear"};
+};
+
 template <typename T>
 std::string wordOf(T value)
 {
@@ -165,6 +180,7 @@ void visitFields(Material& m, Visitor&& visit)
     visit("yield", m.elasticity.yield);
     visit("creep", m.elasticity.creep);
     visit("maxDeformation", m.elasticity.maxDeformation);
+    visit("finish", m.finish.word);
 }
 
 template <typename Visitor>
@@ -196,6 +212,7 @@ void visitFields(Collider& c, Visitor&& visit)
     visit("kineticFriction", c.kineticFriction);
     visit("color", c.color);
     visit("visible", c.visible);
+    visit("finish", c.finish.word);
 }
 
 /// All except keys, shake and whom it frames or looks at.
@@ -221,17 +238,17 @@ void visitFields(CameraShake& s, Visitor&& visit)
     visit("seed", s.seed);
 }
 
+/// All except the sky and colours, which may come from it.
 template <typename Visitor>
 void visitFields(LightSettings& l, Visitor&& visit)
 {
     visit("direction", l.direction);
     visit("intensity", l.intensity);
     visit("softness", l.softness);
-    visit("skyColor", l.skyColor);
-    visit("groundColor", l.groundColor);
+    visit("bounce", l.bounce);
 }
 
-/// Camera and light are separate documents in a scene.
+/// Camera and lights are separate documents in a scene; without the background.
 template <typename Visitor>
 void visitFields(RenderSettings& r, Visitor&& visit)
 {
@@ -242,6 +259,7 @@ void visitFields(RenderSettings& r, Visitor&& visit)
     visit("speedScale", r.speedScale);
     visit("skinError", r.skinError);
     visit("exposure", r.exposure);
+    visit("toneMap", r.toneMap);
     visit("antialiasing", r.antialiasing);
 }
 
@@ -251,6 +269,13 @@ T readFields(const Json& json)
     T out;
     visitFields(out, [&](const char* key, auto& field) { readValue(json.at(key), field); });
     return out;
+}
+
+/// What a finish has of its own, where a document says so.
+inline void readFinish(const Json& json, SurfaceFinish& finish)
+{
+    if (json.contains("roughness")) readValue(json["roughness"], finish.roughness);
+    if (json.contains("metalness")) readValue(json["metalness"], finish.metalness);
 }
 
 template <typename T>

@@ -148,7 +148,7 @@ Scene sceneOf(const SceneDocument& document, bool drawn)
             fmt::format("/solver/substeps: {} are too few for fluid as deep as this: {} are taken", settings.substeps,
                         scene.world.settings.substeps));
     for (std::string& limit : softLimits(scene.world)) context.warnings.push_back(std::move(limit));
-    scene.render = readPicture(document.file, scene.world, namedParticles(context, scene.world));
+    scene.render = readPicture(document.file, scene.world, namedParticles(context, scene.world), files);
     scene.clock = FilmClock(scene.framesPerSecond, scene.stepsPerFrame, scene.render.shots);
     scene.files = filesOf(context);
     if (root.contains("start")) {

@@ -35,6 +35,9 @@ void addMaterials(SceneContext& context, const Json& materials)
         checkFriction(entry);
         checkDraw(entry);
         Material material = readFields<Material>(json);
+        readFinish(json, material.finish);
+        if (material.fluid && material.finish != SurfaceFinish())
+            entry.fail("/finish", "is for what is solid; a fluid looks as `color`, `absorption` and `scattering` say");
         material.name = name;
         context.materials[name] = context.builder.addMaterial(material);
     }

@@ -222,7 +222,9 @@ void SchemaCheck::completeArray(const Json& node, Json& value, const std::string
     const size_t least = node.value("minItems", size_t{0});
     const size_t most = node.value("maxItems", std::numeric_limits<size_t>::max());
     if (value.size() < least || value.size() > most) {
-        const std::string rule = least == most ? expectation(schema_, node) : fmt::format("at least {}", least);
+        const std::string rule = least == most          ? expectation(schema_, node)
+                                 : value.size() < least ? fmt::format("at least {}", least)
+                                                        : fmt::format("at most {}", most);
         fail(pointer, fmt::format("is {}, must be {}", kindOf(value), rule));
     }
     for (size_t i = 0; i < value.size(); ++i) complete(node["items"], value[i], fmt::format("{}/{}", pointer, i));

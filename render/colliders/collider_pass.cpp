@@ -1,7 +1,9 @@
 #include "render/colliders/collider_pass.h"
 
+#include <algorithm>
 #include <array>
 
+#include "render/looks/finishes.h"
 #include "shared/draw_types.h"
 
 namespace knuckle {
@@ -10,7 +12,7 @@ namespace {
 
 constexpr size_t INSTANCE_VECTORS = sizeof(gpu::ColliderInstance) / sizeof(gpu::vec4);
 
-std::array<gpu::vec4, INSTANCE_VECTORS> instanceOf(const Collider& collider, uint32_t index)
+std::array<gpu::vec4, INSTANCE_VECTORS> instanceOf(const Collider& collider, uint32_t index, uint32_t finish)
 {
     Vector3f half = collider.halfExtents;
     float radius = 0.0f;
@@ -21,7 +23,7 @@ std::array<gpu::vec4, INSTANCE_VECTORS> instanceOf(const Collider& collider, uin
     }
     return {gpu::vec4{half.x(), half.y(), half.z(), radius},
             {collider.color.x(), collider.color.y(), collider.color.z(), static_cast<float>(collider.shape)},
-            {static_cast<float>(index), 0.0f, 0.0f, 0.0f}};
+            {static_cast<float>(index), static_cast<float>(finish), 0.0f, 0.0f}};
 }
 
 }  // namespace
@@ -32,28 +34,34 @@ ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& worl
 {
     upload(world, extent);
     table.add(Lifetime::Constant, planes_, shapes_);
-    planePass_ = DrawPass(gpu, table, {"colliders/plane", "colliders/plane"},
+    const bool haveLooks = std::ranges::any_of(world.colliders,
+                                               [](const Collider& c) { return c.floor != FloorLook::Default; });
+    planePass_ = DrawPass(gpu, table,
+                          {"colliders/plane", "colliders/plane", haveLooks ? Defines{{"FLOORS", "1"}} : Defines{}},
                           {"frame", "view", "colliderPlaces", "colliderPlanes"}, targets.geometry);
     // Draws the far sides of the boxes: they are visible even when the eye is inside.
-    shapePass_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider"},
-                          {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.geometry, GL_FRONT);
+    shapePass_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider", Finishes(world).patternDefines()},
+                          {"frame", "view", "colliderPlaces", "colliderShapes", "finishes"}, targets.geometry,
+                          GL_FRONT);
     shapeShadow_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider_shadow", {{"LIGHT_VIEW", "1"}}},
                             {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.shadowMap, GL_FRONT);
 }
 
 void ColliderPass::upload(const World& world, const SceneExtent& extent)
 {
+    const Finishes finishes(world);
     std::vector<gpu::vec4> planes, shapes;
     for (uint32_t i = 0; i < world.colliders.size(); ++i) {
         const Collider& collider = world.colliders[i];
-        if (!collider.visible || collider.grid != NO_INDEX) continue;
+        if (!collider.visible || collider.grid != NO_INDEX || collider.floor == FloorLook::None) continue;
+        const uint32_t finish = finishes.alphaOf(collider.finish);
         if (collider.shape != ColliderShape::Plane) {
-            for (const gpu::vec4& vector : instanceOf(collider, i)) shapes.push_back(vector);
+            for (const gpu::vec4& vector : instanceOf(collider, i, finish)) shapes.push_back(vector);
             continue;
         }
         const Vector3f& c = collider.color;
         planes.push_back({c.x(), c.y(), c.z(), i == extent.groundCollider ? 1.0f : 0.0f});
-        planes.push_back({static_cast<float>(i), 0.0f, 0.0f, 0.0f});
+        planes.push_back({static_cast<float>(i), static_cast<float>(collider.floor), static_cast<float>(finish), 0.0f});
     }
     planes_ = {"colliderPlanes", std::span<const gpu::vec4>(planes)};
     shapes_ = {"colliderShapes", std::span<const gpu::vec4>(shapes)};

@@ -26,7 +26,7 @@ private:
     void drawShapes(KernelTimer& timer, const DrawPass& pass) const;
 
     MeshPass meshes_;
-    Buffer<gpu::vec4> planes_;  ///< Two each: colour, w: whether it is the ground; x: its collider.
+    Buffer<gpu::vec4> planes_;  ///< Two each: colour, w: whether it is the ground; its collider, FLOOR_*, finish.
     Buffer<gpu::vec4> shapes_;  ///< A ColliderInstance each.
     DrawPass planePass_, shapePass_, shapeShadow_;
 };

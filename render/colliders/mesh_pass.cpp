@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "render/looks/finishes.h"
+
 namespace knuckle {
 
 namespace {
@@ -25,8 +27,8 @@ std::vector<Vector3f> vertexNormals(const ColliderGrid& grid)
     return normals;
 }
 
-/// Two vectors a corner, in the grid's frame: its place, w: `mesh`; its normal.
-void addCorners(std::vector<gpu::vec4>& out, const ColliderGrid& grid, size_t mesh)
+/// Two vectors a corner, in the grid's frame: its place, w: `mesh`; its normal, w: `finish`.
+void addCorners(std::vector<gpu::vec4>& out, const ColliderGrid& grid, size_t mesh, uint32_t finish)
 {
     const std::vector<Vector3f> normals = vertexNormals(grid);
     for (const auto& triangle : grid.triangles) {
@@ -35,7 +37,7 @@ void addCorners(std::vector<gpu::vec4>& out, const ColliderGrid& grid, size_t me
             const Vector3f place = grid.vertices[vertex];
             const Vector3f normal = normals[vertex].dot(flat) < CREASE ? flat : normals[vertex];
             out.push_back({place.x(), place.y(), place.z(), static_cast<float>(mesh)});
-            out.push_back({normal.x(), normal.y(), normal.z(), 0.0f});
+            out.push_back({normal.x(), normal.y(), normal.z(), static_cast<float>(finish)});
         }
     }
 }
@@ -44,19 +46,20 @@ void addCorners(std::vector<gpu::vec4>& out, const ColliderGrid& grid, size_t me
 
 MeshPass::MeshPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderTargets& targets)
 {
+    const Finishes finishes(world);
     std::vector<gpu::vec4> corners, colors;
     for (size_t c = 0; c < world.colliders.size(); ++c) {
         const Collider& collider = world.colliders[c];
         const bool hasMesh = collider.shape == ColliderShape::Mesh || collider.shape == ColliderShape::Heightfield;
         if (!hasMesh || !collider.visible) continue;
-        addCorners(corners, world.colliderGrids[collider.grid], colors.size());
+        addCorners(corners, world.colliderGrids[collider.grid], colors.size(), finishes.alphaOf(collider.finish));
         colors.push_back({collider.color.x(), collider.color.y(), collider.color.z(), static_cast<float>(c)});
     }
     corners_ = {"meshCorners", std::span<const gpu::vec4>(corners)};
     colors_ = {"meshColors", std::span<const gpu::vec4>(colors)};
     table.add(Lifetime::Constant, corners_, colors_);
-    meshes_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh"},
-                       {"frame", "view", "colliderPlaces", "meshCorners", "meshColors"}, targets.geometry);
+    meshes_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh", finishes.patternDefines()},
+                       {"frame", "view", "colliderPlaces", "meshCorners", "meshColors", "finishes"}, targets.geometry);
     shadow_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh_shadow", {{"LIGHT_VIEW", "1"}}},
                        {"frame", "view", "colliderPlaces", "meshCorners", "meshColors"}, targets.shadowMap);
 }

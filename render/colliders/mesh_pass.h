@@ -23,7 +23,7 @@ public:
 private:
     uint32_t cornerCount() const { return static_cast<uint32_t>(corners_.size() / 2); }
 
-    Buffer<gpu::vec4> corners_;  ///< Two a corner, in the collider's frame: place, w: mesh; normal.
+    Buffer<gpu::vec4> corners_;  ///< Two a corner, in the collider's frame: place, w: mesh; normal, w: finish.
     Buffer<gpu::vec4> colors_;   ///< Of each mesh; w: its collider.
     DrawPass meshes_, shadow_;
 };

@@ -1,11 +1,13 @@
 #include "render/fluids/fluid_pass.h"
 
 #include "render/fluids/fluid_looks.h"
+#include "render/looks/picture_defines.h"
 #include "sim/solver/fluid/foam_stage.h"
 
 namespace knuckle {
 
-FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& world, RenderTargets& targets)
+FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& world, const RenderSettings& settings,
+                     RenderTargets& targets)
     : targets_(targets), count_(targets.hasSurfaces() ? world.fluidCount : 0)
 {
     if (empty()) return;
@@ -31,8 +33,9 @@ FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& worl
     clean_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_clean"}, {"frame", "view", "fluidSmoothPicture"},
                       targets.fluidRows);
     shade_ = DrawPass(
-        gpu, table, {"picture/screen", "fluids/fluid_shade"},
-        {"frame", "view", "litPicture", "depthPicture", "fluidWidePicture", "fluidTintPicture", "fluidGlowPicture"},
+        gpu, table, {"picture/screen", "fluids/fluid_shade", joined({displayDefines(settings), skyDefines(settings)})},
+        {"frame", "view", "litPicture", "depthPicture", "fluidWidePicture", "fluidTintPicture", "fluidGlowPicture",
+         "skyPicture", "skyBlurs"},
         targets.wet);
     if (!FoamStage::isNeeded(world)) return;
     foam_ = DrawPass(gpu, table, {"fluids/foam", "fluids/foam"},
@@ -40,7 +43,7 @@ FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& worl
                       "fluidWidePicture", "fluidGlowPicture"},
                      targets.foamCover);
     foam_.setAdditive();
-    foamShade_ = DrawPass(gpu, table, {"picture/screen", "fluids/foam_shade"},
+    foamShade_ = DrawPass(gpu, table, {"picture/screen", "fluids/foam_shade", displayDefines(settings)},
                           {"frame", "view", "litPicture", "foamPicture"}, targets.wet);
 }
 

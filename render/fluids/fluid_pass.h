@@ -13,7 +13,8 @@ public:
     /// @param table must have "frame", "view", "positions", "foamPlaces", the targets' textures and the buffers of
     /// FluidLooks,
     /// SphereLists and SpherePass.
-    FluidPass(const Gpu& gpu, const BufferTable& table, const World& world, RenderTargets& targets);
+    FluidPass(const Gpu& gpu, const BufferTable& table, const World& world, const RenderSettings& settings,
+              RenderTargets& targets);
     FluidPass(const FluidPass&) = delete;
     FluidPass& operator=(const FluidPass&) = delete;
 

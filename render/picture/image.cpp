@@ -47,6 +47,18 @@ std::string textChunk(const std::string& keyword, const std::string& text)
            pngNumber(libdeflate_crc32(0, checked.data(), checked.size()));
 }
 
+/// Four bytes a pixel.
+std::vector<uint8_t> withAlpha(const Image& image)
+{
+    std::vector<uint8_t> pixels;
+    for (size_t i = 0; i < image.alpha.size(); ++i) {
+        const auto color = image.rgb.begin() + static_cast<std::ptrdiff_t>(CHANNELS * i);
+        pixels.insert(pixels.end(), color, color + CHANNELS);
+        pixels.push_back(image.alpha[i]);
+    }
+    return pixels;
+}
+
 struct Free {
     void operator()(void* memory) const { std::free(memory); }
 };
@@ -106,7 +118,10 @@ std::string encodePng(uint32_t width, uint32_t height, uint32_t channels, std::s
 std::string pngOf(const Image& image, PngEffort effort)
 {
     deflateLevel = effort == PngEffort::Small ? SMALL_LEVEL : QUICK_LEVEL;
-    std::string png = encodePng(image.width, image.height, CHANNELS, image.rgb), chunks;
+    const bool opaque = image.alpha.empty();
+    std::string png = encodePng(image.width, image.height, opaque ? CHANNELS : CHANNELS + 1,
+                                opaque ? image.rgb : withAlpha(image)),
+                chunks;
     deflateLevel = QUICK_LEVEL;
     for (const auto& [keyword, text] : image.text) chunks += textChunk(keyword, text);
     // After the signature and the header, which are of fixed length.

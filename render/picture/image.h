@@ -14,8 +14,9 @@ using PngText = std::vector<std::pair<std::string, std::string>>;
 /// 8-bit sRGB pixels, top row first.
 struct Image {
     uint32_t width = 0, height = 0;
-    std::vector<uint8_t> rgb = {};  ///< width * height * 3
-    PngText text = {};              ///< Of its file; not read back.
+    std::vector<uint8_t> rgb = {};    ///< width * height * 3
+    PngText text = {};                ///< Of its file; not read back.
+    std::vector<uint8_t> alpha = {};  ///< width * height; empty: opaque. Colours are not times it. Not read back.
 };
 
 /// @throws InputError (missing, not an image) or RunError (disk full; nothing is left half-written).

@@ -2,6 +2,7 @@
 
 #include "render/draw_pass.h"
 #include "render/picture/render_targets.h"
+#include "render/settings.h"
 #include "shared/frame_types.h"
 
 namespace knuckle {
@@ -9,16 +10,17 @@ namespace knuckle {
 /// Makes the frame from the geometry buffers and the shadow map.
 class PicturePasses {
 public:
-    /// @param table must have "frame", "view", the targets' textures, and the buffers of FluidPass.
-    /// @param veilOpacity of drawVeil(), 0 ... 1; 1: no veil.
-    PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& targets, float veilOpacity);
+    /// @param table must have "frame", "view", the targets' textures, and the buffers of FluidPass and PictureLooks.
+    /// @param looks what the lighting is compiled with. @param isMirror  Whether the ground mirrors.
+    PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& targets, const RenderSettings& settings,
+                  const Defines& looks, bool isMirror);
     PicturePasses(const PicturePasses&) = delete;
     PicturePasses& operator=(const PicturePasses&) = delete;
 
     /// Draws the ambient and key light that arrives, at half resolution.
     void drawOcclusion(KernelTimer& timer) const;
     /// Draws the final colours.
-    void drawLighting(KernelTimer& timer) const { lighting_.drawScreen(timer); }
+    void drawLighting(KernelTimer& timer) const;
     /// The same, except ground and sky, half transparent over the existing colours.
     void drawVeil(KernelTimer& timer) const { veil_.drawScreen(timer); }
     /// Smooths edges, then averages the samples of each pixel, if there are several.
@@ -28,8 +30,8 @@ public:
 
 private:
     RenderTargets& targets_;
-    bool isResolved_;
-    DrawPass occlusion_, lighting_, veil_, edgeFilter_, resolve_;
+    bool isResolved_, isMirror_;
+    DrawPass occlusion_, lighting_, mirror_, veil_, edgeFilter_, resolve_;
 };
 
 }  // namespace knuckle

@@ -1,5 +1,7 @@
 #include "render/picture/picture_reader.h"
 
+#include <algorithm>
+
 #include "sim/base/errors.h"
 
 namespace knuckle {
@@ -8,10 +10,21 @@ namespace {
 
 constexpr size_t BYTES_PER_PIXEL = 4;
 
+/// Passes multiply colours by what they cover.
+void divideByAlpha(Image& image)
+{
+    for (size_t i = 0; i < image.alpha.size(); ++i) {
+        const uint32_t alpha = image.alpha[i];
+        if (alpha == 0 || alpha == 255) continue;
+        for (size_t k = 3 * i; k < 3 * i + 3; ++k)
+            image.rgb[k] = static_cast<uint8_t>(std::min((255u * image.rgb[k] + alpha / 2) / alpha, 255u));
+    }
+}
+
 }  // namespace
 
-PictureReader::PictureReader(uint32_t width, uint32_t height)
-    : width_(width), height_(height), buffer_(BufferHandle::make())
+PictureReader::PictureReader(uint32_t width, uint32_t height, bool hasAlpha)
+    : width_(width), height_(height), hasAlpha_(hasAlpha), buffer_(BufferHandle::make())
 {
     glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());
     glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(BYTES_PER_PIXEL * width * height), nullptr,
@@ -49,8 +62,12 @@ Image PictureReader::last()
             out[2] = in[2];
         }
     }
+    if (hasAlpha_)
+        for (uint32_t y = height_; y-- > 0;)
+            for (uint32_t x = 0; x < width_; ++x) image.alpha.push_back(pixels[y * rowBytes + BYTES_PER_PIXEL * x + 3]);
     glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    divideByAlpha(image);
     return image;
 }
 

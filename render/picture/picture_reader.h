@@ -10,7 +10,8 @@ namespace knuckle {
 /// Reads pictures back through a pixel buffer, so that the copy can run during the simulation of the next steps.
 class PictureReader {
 public:
-    PictureReader(uint32_t width, uint32_t height);
+    /// @param hasAlpha  Whether pictures have an alpha that their colours are multiplied by.
+    PictureReader(uint32_t width, uint32_t height, bool hasAlpha);
 
     /// Starts the copy of the whole `framebuffer`.
     void start(GLuint framebuffer);
@@ -19,6 +20,7 @@ public:
 
 private:
     uint32_t width_, height_;
+    bool hasAlpha_;
     BufferHandle buffer_;
     bool started_ = false;
 };

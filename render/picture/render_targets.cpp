@@ -2,7 +2,7 @@
 
 namespace knuckle {
 
-RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces)
+RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces, bool isTransparent)
 {
     const uint32_t w = width * factor, h = height * factor, halfW = (w + 1) / 2, halfH = (h + 1) / 2;
     surface = Texture("surfacePicture", GL_RG32UI, w, h);
@@ -14,12 +14,20 @@ RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, b
     geometry = Framebuffer("geometry", {&surface}, &depth);
     shadowMap = Framebuffer("shadow map", {}, &shadow);
     occlusion = Framebuffer("occlusion", {&shade}, nullptr);
-    lighting = Framebuffer("lighting", {&lit}, nullptr);
-    edges = Framebuffer("edge filter", {&smoothed}, nullptr);
-    if (factor > 1) {
+    if (isTransparent) {
+        cover = Texture("coverPicture", GL_R8, w, h, GL_LINEAR);
+        smoothedCover = Texture("smoothedCoverPicture", GL_R8, w, h);
+        lighting = Framebuffer("lighting", {&lit, &cover}, nullptr);
+        edges = Framebuffer("edge filter", {&smoothed, &smoothedCover}, nullptr);
+    } else {
+        lighting = Framebuffer("lighting", {&lit}, nullptr);
+        edges = Framebuffer("edge filter", {&smoothed}, nullptr);
+    }
+    if (factor > 1 || isTransparent) {
         resolved = Texture("resolvedPicture", GL_RGBA8, width, height);
         resolve = Framebuffer("resolve", {&resolved}, nullptr);
     }
+    wet = Framebuffer("wet", {&smoothed}, nullptr);
     if (!hasSurfaces) return;
     fluidDepth = Texture("fluidDepthPicture", GL_DEPTH_COMPONENT32F, w, h);
     fluidWide = Texture("fluidWidePicture", GL_R32F, w, h);
@@ -34,12 +42,12 @@ RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, b
     fluidInside = Framebuffer("fluid inside", {&fluidTint, &fluidGlow}, nullptr);
     fluidShadowMap = Framebuffer("fluid shadow map", {}, &fluidShadow);
     foamCover = Framebuffer("foam", {&foam}, nullptr);
-    wet = Framebuffer("wet", {&smoothed}, nullptr);
 }
 
 void RenderTargets::addTo(BufferTable& table) const
 {
     table.add(surface, depth, shadow, shade, lit, smoothed);
+    if (isTransparent()) table.add(cover, smoothedCover);
     if (hasSurfaces()) table.add(fluidDepth, fluidWide, fluidSmooth, fluidTint, fluidGlow, fluidShadow, foam);
 }
 

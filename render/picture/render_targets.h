@@ -10,17 +10,20 @@ namespace knuckle {
 /// All textures that a frame is drawn into. Filters read them by their labels.
 struct RenderTargets {
     /// @param factor samples per axis and pixel. @param hasSurfaces  Whether surfaces of fluids are drawn.
-    RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces);
+    /// @param isTransparent  Whether the frame says what of a pixel anything covers.
+    RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces, bool isTransparent);
 
     /// So that passes find the textures.
     void addTo(BufferTable& table) const;
     bool hasSurfaces() const { return fluidDepth.id() != 0; }
+    bool isTransparent() const { return cover.id() != 0; }
 
     Texture surface, depth;          ///< Normals and colours, and depth, of the visible surfaces.
     Texture shadow;                  ///< Depth as seen by the key light.
     Texture shade;                   ///< Half resolution: see shade.glsl.
     Texture lit, smoothed;           ///< As displayed, before and after edges are smoothed.
-    Texture resolved;                ///< The frame, if there are several samples a pixel.
+    Texture cover, smoothedCover;    ///< Of transparent frames: what of each pixel is covered.
+    Texture resolved;                ///< The frame, if there are several samples a pixel or it is transparent.
     Texture fluidDepth;              ///< Depth of the nearest fluid.
     Texture fluidWide, fluidSmooth;  ///< View depth of its surface, smoothed along rows, and along columns too [m].
     Texture fluidTint, fluidGlow;    ///< Half resolution: fluid_tint.frag.

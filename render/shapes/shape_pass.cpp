@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/color_word.h"
+#include "render/looks/finishes.h"
 #include "render/spheres/palette.h"
 #include "render/unseen.h"
 #include "shared/draw_types.h"
@@ -47,6 +48,7 @@ bool isSeen(const World& world, const BodyShape& shape, const std::vector<uint32
 std::vector<gpu::vec4> texelsOf(const World& world, const RenderSettings& settings)
 {
     const std::vector<uint32_t> unseen = unseenBits(world);
+    const Finishes finishes(world);
     std::vector<gpu::vec4> texels;
     for (const BodyShape& shape : world.bodyShapes) {
         if (!isSeen(world, shape, unseen)) continue;
@@ -55,7 +57,9 @@ std::vector<gpu::vec4> texelsOf(const World& world, const RenderSettings& settin
         const uint32_t color = bodyColor(world, shape.body, settings) & COLOR_BITS;
         texels.push_back({half.x(), half.y(), half.z(), shape.radius});
         texels.push_back({arm.x(), arm.y(), arm.z(), static_cast<float>(shape.body)});
-        texels.push_back({static_cast<float>(color), static_cast<float>(first), static_cast<float>(second), 0.0f});
+        const SurfaceFinish& finish = world.materials[world.bodies[shape.body].material].finish;
+        texels.push_back({static_cast<float>(color), static_cast<float>(first), static_cast<float>(second),
+                          static_cast<float>(finishes.alphaOf(finish))});
     }
     return texels;
 }
@@ -70,10 +74,12 @@ ShapePass::ShapePass(const Gpu& gpu, BufferTable& table, const World& world, con
     if (bodyShapes_.size() == 0) return;
     Defines defines;
     if (settings.colorBy == ColorBy::Speed) defines.push_back({"COLOR_BY_SPEED", "1"});
-    const std::initializer_list<std::string> reads = {"frame",      "view",        "velocities",
-                                                      "bodyShapes", "bodyCentres", "bodyRotations"};
+    const std::initializer_list<std::string> reads = {"frame",       "view",          "velocities", "bodyShapes",
+                                                      "bodyCentres", "bodyRotations", "finishes"};
     // Draws the far sides of the boxes: they are visible even when the eye is inside.
-    shapes_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape", defines}, reads, targets.geometry, GL_FRONT);
+    Defines patterned = Finishes(world).patternDefines();
+    patterned.insert(patterned.end(), defines.begin(), defines.end());
+    shapes_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape", patterned}, reads, targets.geometry, GL_FRONT);
     defines.push_back({"LIGHT_VIEW", "1"});
     shadow_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape_shadow", defines}, reads, targets.shadowMap,
                        GL_FRONT);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/color_word.h"
+#include "render/looks/finishes.h"
 #include "render/skins/skin_lods.h"
 #include "render/skins/skin_looks.h"
 #include "sim/base/errors.h"
@@ -39,8 +40,10 @@ gpu::vec4 texel(const Eigen::Vector3f& v, float w = 0.0f)
 
 /// The arrays before they are uploaded.
 struct SkinArrays {
+    explicit SkinArrays(const World& world) : finishes(world) {}
     void add(const Skin& skin, const World& world);
 
+    Finishes finishes;
     std::vector<uint32_t> indices;
     std::vector<gpu::SkinVertex> vertices;
     std::vector<gpu::vec4> vertexLooks, centres;
@@ -51,7 +54,13 @@ struct SkinArrays {
 
 private:
     void addVertex(const SkinVertex& vertex, const SkinMesh& mesh, uint32_t firstMaterial);
-    void addWearer(const Object& object, const SkinMesh& mesh, gpu::SkinWearer wearer, uint32_t firstVertex);
+    /// Above the index of the material; 0 in worlds without finishes, whose shaders do not look for it.
+    uint32_t finishOf(const SkinMaterial& material) const
+    {
+        return finishes.empty() ? 0 : finishes.alphaOf(modelFinish(material)) << 16;
+    }
+    void addWearer(const Object& object, const SkinMesh& mesh, gpu::SkinWearer wearer, uint32_t firstVertex,
+                   uint32_t finish);
 };
 
 void SkinArrays::addVertex(const SkinVertex& vertex, const SkinMesh& mesh, uint32_t firstMaterial)
@@ -62,11 +71,13 @@ void SkinArrays::addVertex(const SkinVertex& vertex, const SkinMesh& mesh, uint3
     vertices.push_back({p.x(), p.y(), p.z(), packSnorm(n.x()) | packSnorm(n.y()) << 16, b[0] | b[1] << 16,
                         b[2] | b[3] << 16, packUnorm(w[1], w[2]), packUnorm(0.0f, w[3]) | packSnorm(n.z())});
     const Eigen::Vector3f color = vertex.color.cwiseProduct(mesh.materials[vertex.material].color);
+    const uint32_t material = (firstMaterial + vertex.material) | finishOf(mesh.materials[vertex.material]);
     vertexLooks.push_back({vertex.uv.x(), vertex.uv.y(), static_cast<float>(packColor(color) & COLOR_BITS),
-                           static_cast<float>(firstMaterial + vertex.material)});
+                           static_cast<float>(material)});
 }
 
-void SkinArrays::addWearer(const Object& object, const SkinMesh& mesh, gpu::SkinWearer wearer, uint32_t firstVertex)
+void SkinArrays::addWearer(const Object& object, const SkinMesh& mesh, gpu::SkinWearer wearer, uint32_t firstVertex,
+                           uint32_t finish)
 {
     wearer.firstBody = object.bodyStart;
     wearer.bodyCount = object.bodyCount;
@@ -74,7 +85,7 @@ void SkinArrays::addWearer(const Object& object, const SkinMesh& mesh, gpu::Skin
     const auto index = static_cast<uint32_t>(wearers.size());
     wearers.push_back(wearer);
     const auto count = static_cast<uint32_t>(mesh.vertices.size());
-    for (uint32_t i = 0; i < count; i += SKIN_GROUP_SIZE) groups.push_back({index, firstVertex + i, i, 0});
+    for (uint32_t i = 0; i < count; i += SKIN_GROUP_SIZE) groups.push_back({index, firstVertex + i, i, finish});
     for (const SkinVertex& vertex : mesh.vertices) {
         for (int k = 0; k < 4; ++k) {
             if (vertex.weights[k] <= 0.0f) continue;
@@ -97,7 +108,11 @@ void SkinArrays::add(const Skin& skin, const World& world)
     indices.insert(indices.end(), detail.indices.begin(), detail.indices.end());
     const uint32_t firstMaterial = looks.add(mesh);
     for (const uint32_t vertex : detail.vertices) addVertex(mesh.vertices[vertex], mesh, firstMaterial);
-    for (const uint32_t object : skin.objects) addWearer(world.objects[object], mesh, wearer, firstVertex);
+    for (const uint32_t object : skin.objects) {
+        const SurfaceFinish& finish = world.materials[world.bodies[world.objects[object].bodyStart].material].finish;
+        addWearer(world.objects[object], mesh, wearer, firstVertex,
+                  finish.word == Finish::Model ? 0 : finishes.alphaOf(finish));
+    }
 }
 
 void requireRoom(const Gpu& gpu, const char* what, size_t texels)
@@ -119,7 +134,7 @@ void upload(Buffer<T>& buffer, const char* name, const std::vector<T>& data)
 
 SkinBuffers::SkinBuffers(const Gpu& gpu, const World& world)
 {
-    SkinArrays arrays;
+    SkinArrays arrays(world);
     for (const Body& body : world.bodies) arrays.centres.push_back(texel(body.restCentre, -1.0f));
     for (const bool oneSided : {true, false}) {
         for (const Skin& skin : world.skins)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/looks/finishes.h"
 #include "shared/frame_types.h"
 
 namespace knuckle {
@@ -38,7 +39,7 @@ SkinPass::SkinPass(const Gpu& gpu, BufferTable& table, const World& world, const
     pose_ = Kernel(gpu, table, "render/skins/skin_pose.comp");
     const std::initializer_list<std::string> reads = {"frame",           "view",          "skinPlaces", "skinGroups",
                                                       "skinVertexLooks", "skinMaterials", "skinLevels", "skinTexels"};
-    Defines looks;
+    Defines looks = Finishes(world).lightingDefines();
     if (std::ranges::any_of(world.skins, needsMaterials)) looks.push_back({"MATERIALS", "1"});
     if (std::ranges::any_of(world.skins, isTwoSided)) looks.push_back({"TWO_SIDED", "1"});
     skins_ = DrawPass(gpu, table, {"skins/skin", "skins/skin", looks}, reads, targets.geometry);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "render/color_word.h"
+#include "render/looks/finishes.h"
 #include "render/skins/skin_colors.h"
 
 namespace knuckle {
@@ -67,6 +68,9 @@ std::vector<uint32_t> particleColors(const World& world, const RenderSettings& s
     std::vector<uint32_t> colors(world.particles.size());
     for (uint32_t i = 0; i < colors.size(); ++i) colors[i] = colorWord(world, i, settings);
     if (settings.colorBy == ColorBy::Body) paintParticles(world, colors);
+    const Finishes finishes(world);
+    for (uint32_t i = 0; i < colors.size(); ++i)
+        colors[i] = finishes.withFinish(colors[i], world.materials[world.particles[i].material].finish);
     if (settings.highlightJoints)
         for (uint32_t i = 0; i < colors.size(); ++i)
             if (world.particles[i].bodyCount > 1) colors[i] = packColor(JOINT_COLOR);

@@ -1,16 +1,59 @@
 #include "render/spheres/sphere_pass.h"
 
+#include <span>
+#include <vector>
+
 #include "render/fluids/fluid_looks.h"
+#include "render/looks/finishes.h"
 #include "render/spheres/palette.h"
 
 namespace knuckle {
 
 namespace {
 
+/// Loose particles with patterns of their own.
+constexpr uint32_t LOOSE_PLACES = 512;
+
 Defines colorDefines(const RenderSettings& settings)
 {
     if (settings.colorBy == ColorBy::Speed) return {{"COLOR_BY_SPEED", "1"}};
     return {};
+}
+
+/// The axis along which each body's particles reach furthest.
+std::vector<uint32_t> longestAxes(const World& world)
+{
+    std::vector<uint32_t> axes;
+    for (const Body& body : world.bodies) {
+        Eigen::AlignedBox3f box;
+        for (const Link& link : std::span(world.links).subspan(body.linkStart, body.linkCount))
+            box.extend(link.restOffset);
+        // Of equal ones the first.
+        Vector3f sides = Vector3f::Zero();
+        if (!box.isEmpty()) sides = (box.sizes() / world.particleRadius).array().round().matrix();
+        Eigen::Index axis = 0;
+        sides.maxCoeff(&axis);
+        axes.push_back(static_cast<uint32_t>(axis));
+    }
+    return axes;
+}
+
+/// Where each is in its first body, w: 4 times that body and its longest axis; loose ones are apart from each other,
+/// w: -1.
+std::vector<gpu::vec4> placesOf(const World& world)
+{
+    std::vector<gpu::vec4> places;
+    for (uint32_t i = 0; i < world.particles.size(); ++i) {
+        const float apart = static_cast<float>(i % LOOSE_PLACES) * 7.31f * world.particleRadius;
+        places.push_back({apart, 0.37f * apart, 0.73f * apart, -1.0f});
+    }
+    const std::vector<uint32_t> axes = longestAxes(world);
+    for (const Link& link : world.links) {
+        if (world.particles[link.particle].body != link.body) continue;
+        const Vector3f& at = link.restOffset;
+        places[link.particle] = {at.x(), at.y(), at.z(), static_cast<float>(4 * link.body + axes[link.body])};
+    }
+    return places;
 }
 
 }  // namespace
@@ -20,17 +63,22 @@ SpherePass::SpherePass(const Gpu& gpu, BufferTable& table, const World& world, c
     : colors_("sphereColors", particleColors(world, settings))
 {
     table.add(Lifetime::Constant, colors_);
+    const Defines patterns = Finishes(world).patternDefines();
+    const std::vector<gpu::vec4> places = patterns.empty() ? std::vector<gpu::vec4>() : placesOf(world);
+    places_ = {"spherePlaces", std::span<const gpu::vec4>(places)};
+    table.add(Lifetime::Constant, places_);
     const auto passes = [&](const Defines& more, bool apart) {
         Defines defines = colorDefines(settings);
+        defines.insert(defines.end(), patterns.begin(), patterns.end());
         defines.insert(defines.end(), more.begin(), more.end());
         const auto pass = [&](const char* vertex, const char* fragment, const Framebuffer& target) {
             return apart ? DrawPass(gpu, table, {vertex, fragment, defines},
                                     {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
-                                     "sphereColors", "fluidMaterials"},
+                                     "sphereColors", "spherePlaces", "finishes", "bodyRotations", "fluidMaterials"},
                                     target)
                          : DrawPass(gpu, table, {vertex, fragment, defines},
                                     {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
-                                     "sphereColors"},
+                                     "sphereColors", "spherePlaces", "finishes", "bodyRotations"},
                                     target);
         };
         return Passes{pass("spheres/sphere", "spheres/sphere", targets.geometry),

@@ -30,6 +30,7 @@ private:
     const Passes& of(SphereGroup group) const;
 
     Buffer<uint32_t> colors_;
+    Buffer<gpu::vec4> places_;  ///< In their bodies; empty without patterns.
     Passes all_;
     std::optional<Passes> beads_;  ///< Of fluids, if others of them are drawn as surfaces.
 };

@@ -19,10 +19,32 @@ namespace knuckle::gpu {
 // In place of a body: the place is on the picture, from its upper left corner, in heights of the picture.
 #define MARK_ON_PICTURE -1.0f
 
+// Per finish: roughness, metalness, coat, wrap; diffuse roughness, reflectance, pattern, its size [m]. The first is the
+// ground's.
+#define FINISH_TEXELS 2
+// In place of the alpha of a surface's colour: no finish. 0 is the ground.
+#define FINISH_NONE 255u
+// What a plane shows, in the order of FloorLook.
+#define FLOOR_DEFAULT 0u
+#define FLOOR_STUDIO 1u
+#define FLOOR_TILES 2u
+#define FLOOR_CHECKER 3u
+#define FLOOR_WOOD 4u
+#define FLOOR_GRASS 5u
+#define FLOOR_GRID 6u
+#define FLOOR_MIRROR 7u
+// Maps of what rougher and rougher surfaces mirror of a sky.
+#define SKY_BLURS 4
+#define PATTERN_NONE 0u
+#define PATTERN_WOOD 1u
+#define PATTERN_CHECKER 2u
+#define PATTERN_BRUSHED 3u
+
 // Vertices of a strip of triangles around a box.
 #define BOX_STRIP 14
 // Per shape of a body: half sides of its box, radius around it; its middle from the body's mass centre at rest, w: the
-// body; colour, two particles whose mean moves as the middle does.
+// body; colour, two particles whose mean moves as the middle does; w: its
+// finish.
 #define SHAPE_TEXELS 3
 
 // Spheres of a list, and how they are drawn from it; each list has its own draw arguments.

@@ -42,6 +42,8 @@ struct FrameInput {
     vec4 skyColor;              // rgb
     vec4 groundColor;           // rgb: light from below; w: exposure
     vec4 groundAlbedo;          // rgb; w: height of the ground [m]
+    vec4 backdrop;              // rgb: where nothing is, if that is a colour; w: how far the ground throws light [m]
+    vec4 bounce;                // rgb: colour of the ground; w: share of its light that is thrown back
     vec4 shadowLimitLow;        // xyz [m]: only things within these bounds cast shadows
     vec4 shadowLimitHigh;
     vec4 solidLow;              // xyz [m]: bounds of the colliders that cast shadows; low > high for none
@@ -125,7 +127,7 @@ struct FrameView {
 struct ColliderInstance {
     vec4 halfExtents;           // xyz [m]: of the box, or of the box around the shape in its own frame; w: radius [m]
     vec4 color;                 // rgb; w: shape (COLLIDER_*)
-    vec4 collider;              // x: its index
+    vec4 collider;              // x: its index; y: its finish
 };
 
 #ifdef __cplusplus

@@ -19,6 +19,7 @@
 #include "sim/world/joint/joint.h"
 #include "sim/world/matter/body_shape.h"
 #include "sim/world/matter/emitter.h"
+#include "sim/world/matter/finish.h"
 #include "sim/world/matter/fluid_look.h"
 #include "sim/world/matter/skin.h"
 #include "sim/world/matter/soft_matter.h"
@@ -56,6 +57,7 @@ struct Material {
     float surfaceTension = 0.0f;       ///< Fluids: of their free surface [N/m], >= 0. Water 0.073.
     FluidLook look = {};               ///< Fluids: how they are drawn. Others: only what is drawn of them.
     Elasticity elasticity = {};        ///< Of soft bodies.
+    SurfaceFinish finish = {};         ///< All but fluids: only how it is drawn.
 };
 
 struct Particle {
@@ -149,6 +151,8 @@ struct Collider : Region {
     float kineticFriction = 0.5f;
     Vector3f color{0.45f, 0.47f, 0.5f};
     bool visible = true;  ///< Walls of a container often act without being drawn.
+    SurfaceFinish finish = {};
+    FloorLook floor = FloorLook::Default;  ///< Planes only.
 };
 
 enum class ReleaseCause : uint32_t { Impulse, Touch, Region };

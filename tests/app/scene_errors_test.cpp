@@ -23,7 +23,8 @@ const BadScene BAD_SCENES[] = {
     {"UnknownNestedField", WITH(R"("solver": {"substep": 3})"),
      ": /solver/substep: unknown field; did you mean \"substeps\"?"},
     {"FarFetchedField", WITH(R"("light": {"zzzzzzzz": 3})"),
-     ": /light/zzzzzzzz: unknown field; known: direction, intensity, softness, skyColor, groundColor"},
+     ": /light/zzzzzzzz: unknown field; known: direction, intensity, softness, bounce, color, sky, turbidity, "
+     "skyColor, groundColor"},
     {"BelowRange", WITH(R"("solver": {"substeps": -1})"), ": /solver/substeps: -1 is below the minimum 0"},
     {"AboveRange", WITH(R"("fps": 1000)"), ": /fps: 1000 is above the maximum 480 [1/s]"},
     {"ZeroDuration", WITH(R"("duration": 0)"), ": /duration: 0 must be above 0 [s]"},

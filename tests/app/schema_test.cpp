@@ -67,12 +67,12 @@ void forEachProperty(const Json& node, const std::string& pointer, Visit&& visit
 TEST(Schema, DefaultsAreThoseOfTheStructs)
 {
     expectSameDefaults<Settings>("solver", {"preset"});
-    expectSameDefaults<Material>("material");
+    expectSameDefaults<Material>("material", {"roughness", "metalness"});
     expectSameDefaults<CameraSettings>("camera", {"frame", "lookAt", "keys", "shake"});
     expectSameDefaults<CameraShake>("cameraShake");
-    expectSameDefaults<LightSettings>("light");
-    expectSameDefaults<RenderSettings>("render", {"camera"});
-    expectSameDefaults<Collider>("planeCollider", {"type", "rotation", "motion"});
+    expectSameDefaults<LightSettings>("light", {"sky", "turbidity", "color", "skyColor", "groundColor"});
+    expectSameDefaults<RenderSettings>("render", {"camera", "background"});
+    expectSameDefaults<Collider>("planeCollider", {"type", "rotation", "motion", "roughness", "metalness", "floor"});
 }
 
 TEST(Schema, WordsAreThoseOfTheEnums)
@@ -86,6 +86,9 @@ TEST(Schema, WordsAreThoseOfTheEnums)
     expectSameWords<Easing>("cameraKey", "easing");
     expectSameWords<ColorBy>("render", "colorBy");
     expectSameWords<DrawnAs>("material", "draw");
+    expectSameWords<Finish>("finish", "");
+    expectSameWords<FloorLook>("floorLook", "");
+    expectSameWords<ToneMap>("render", "toneMap");
     expectSameWords<JointType>("jointTypes", "");
 }
 

@@ -34,6 +34,8 @@ void addBox(WorldBuilder& builder, const Collider& base, const Vector3f& centre,
 Collider readCollider(const Json& json)
 {
     Collider collider = readFields<Collider>(json);
+    readFinish(json, collider.finish);
+    if (json.contains("floor")) readValue(json["floor"], collider.floor);
     collider.orientation = readRotation(json);
     return collider;
 }

@@ -1,14 +1,30 @@
 #include "app/scene/picture/scene_picture.h"
 
 #include "app/json/fields.h"
+#include "app/scene/picture/scene_light.h"
 
 namespace knuckle {
 
-RenderSettings readPicture(const JsonFile& file, const World& world, const NamedParticles& particles)
+namespace {
+
+void readBackground(const Json& json, RenderSettings& render)
+{
+    if (json.is_string()) {
+        render.background = json == "transparent" ? Background::Transparent : Background::Sky;
+        return;
+    }
+    render.background = Background::Color;
+    readValue(json, render.backgroundColor);
+}
+
+}  // namespace
+
+RenderSettings readPicture(const JsonFile& file, const World& world, const NamedParticles& particles, SceneFiles& files)
 {
     RenderSettings render = readFields<RenderSettings>(file.root["render"]);
-    render.light = readFields<LightSettings>(file.root["light"]);
-    if (render.light.direction.norm() < 1e-6f) failAt(file.path, "/light/direction", "must not be zero");
+    render.light = readLight(file, files);
+    render.lights = readLights(file);
+    readBackground(file.root["render"]["background"], render);
     readCameras(file, world, particles, render);
     return render;
 }

@@ -10,6 +10,10 @@ flat out vec4 shapePosition;                // w: radius
 flat out vec4 shapeOrientation;
 flat out vec4 shapeHalfExtents;
 flat out vec4 shapeColor;                   // w: shape
+flat out uint finishAlpha;
+#ifdef PATTERNS
+flat out uint patternSeed;
+#endif
 out vec3 boxPoint;                          // on the box, world space
 
 void main()
@@ -17,7 +21,12 @@ void main()
     int first = 3 * gl_InstanceID;
     shapeHalfExtents = texelFetch(colliderShapes, first);
     shapeColor = texelFetch(colliderShapes, first + 1);
-    ColliderPlace place = fetchColliderPlace(texelFetch(colliderShapes, first + 2).x);
+    vec4 collider = texelFetch(colliderShapes, first + 2);
+    ColliderPlace place = fetchColliderPlace(collider.x);
+    finishAlpha = uint(collider.y);
+#ifdef PATTERNS
+    patternSeed = uint(collider.x);
+#endif
     shapePosition = vec4(place.position, shapeHalfExtents.w);
     shapeOrientation = place.orientation;
     vec3 world = shapePosition.xyz + rotate(shapeOrientation, boxCorner(gl_VertexID) * shapeHalfExtents.xyz);

@@ -1,21 +1,20 @@
 // One infinite plane over the whole picture: the ground with its pattern, or a tilted one in its own colour.
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
+#include "render/colliders/line_cover.glsl"
+#ifdef FLOORS
+#include "math/quaternion.glsl"
+#include "render/colliders/floor_looks.glsl"
+
+flat in vec3 planeOrigin;
+flat in vec4 planeTurn;
+#endif
 
 flat in vec4 planeInView;                       // normal; w: the eye's height above the plane
 flat in uint normalWord;
 flat in vec4 planeColor;                        // rgb; w: 1 for the ground
+flat in uvec2 planeLook;                        // FLOOR_*; finish
 layout(location = 0) out uvec2 surface;
-
-// Share of a pixel of width `w` covered by lines of half-width `h` around the whole numbers: the integral of the line
-// pattern over the pixel.
-vec2 lineCover(vec2 x, vec2 w, float h)
-{
-    vec2 a = x - 0.5 * w, b = x + 0.5 * w;
-    vec2 upTo0 = floor(a + 0.5) * 2.0 * h + clamp(a - floor(a + 0.5), -h, h);
-    vec2 upTo1 = floor(b + 0.5) * 2.0 * h + clamp(b - floor(b + 0.5), -h, h);
-    return (upTo1 - upTo0) / w;
-}
 
 vec3 groundPattern(vec2 place, vec2 width)
 {
@@ -38,7 +37,11 @@ void main()
     if (planeInView.w <= 0.0 || fall <= 1e-6 || depth >= frame.farDepth) discard;
     vec3 world = view.cameraPosition.xyz + depth * directionToWorld(ray);
     vec3 color = planeColor.rgb;
-    if (planeColor.w > 0.5) color = groundPattern(world.xz, fwidth(world.xz));
-    surface = uvec2(normalWord, packAlbedo(color, planeColor.w > 0.5 ? 0.0 : 1.0));
+    if (planeColor.w > 0.5 && planeLook.x == 0u) color = groundPattern(world.xz, fwidth(world.xz));
+#ifdef FLOORS
+    vec2 place = rotate(conjugate(planeTurn), world - planeOrigin).xz;
+    if (planeLook.x != 0u) color = floorColor(planeLook.x, color, place, fwidth(place), frame.patternScale);
+#endif
+    surface = uvec2(normalWord, packAlbedo(color, 0.0) | (planeColor.w > 0.5 ? 0u : planeLook.y << 24));
     gl_FragDepth = depth / frame.farDepth;
 }

@@ -4,15 +4,26 @@
 #include "render/common/screen.glsl"
 #include "render/common/surface.glsl"
 
-uniform samplerBuffer colliderPlanes;       // two a plane: colour, w: 1 for the ground; x: its index
+uniform samplerBuffer colliderPlanes;       // two a plane: colour, w: 1 for the ground; its index, FLOOR_*, finish
 
 flat out vec4 planeInView;                  // normal; w: the eye's height above the plane
 flat out uint normalWord;
 flat out vec4 planeColor;                   // rgb; w: 1 for the ground
+flat out uvec2 planeLook;                   // FLOOR_*; finish
+#ifdef FLOORS
+flat out vec3 planeOrigin;
+flat out vec4 planeTurn;
+#endif
 
 void main()
 {
-    ColliderPlace place = fetchColliderPlace(texelFetch(colliderPlanes, 2 * gl_InstanceID + 1).x);
+    vec4 plane = texelFetch(colliderPlanes, 2 * gl_InstanceID + 1);
+    ColliderPlace place = fetchColliderPlace(plane.x);
+    planeLook = uvec2(plane.yz);
+#ifdef FLOORS
+    planeOrigin = place.position;
+    planeTurn = place.orientation;
+#endif
     vec3 up = rotate(place.orientation, vec3(0, 1, 0)), normal = directionToView(up);
     planeInView = vec4(normal, dot(view.cameraPosition.xyz - place.position, up));
     normalWord = packNormal(normal);

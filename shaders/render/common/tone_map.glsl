@@ -1,16 +1,26 @@
-// Scene-linear light to display values.
+// Scene-linear light to display values, by one of several curves, and back.
+#include "render/common/srgb_curve.glsl"
 
+#if defined(TONE_NEUTRAL)
+#include "render/common/tone_neutral.glsl"
+#elif defined(TONE_AGX)
+#include "render/common/tone_agx.glsl"
+#elif defined(TONE_LINEAR)
+vec3 displayed(vec3 light) { return toSrgb(clamp(light, 0.0, 1.0)); }
+vec3 lightOf(vec3 shown) { return fromSrgb(shown); }
+#else
 // Film's curve and the display's gamma in one rational function (J. Hejl and R. Burgess-Dawson, in J. Hable, "Filmic
 // Tonemapping Operators", 2010): without powers, which are slow on software drivers.
-vec3 filmic(vec3 light)
+vec3 displayed(vec3 light)
 {
     vec3 x = max(light - 0.004, 0.0);
     return x * (6.2 * x + 0.5) / (x * (6.2 * x + 1.7) + 0.06);
 }
 
-// The light that filmic() makes a display value of.
-vec3 unfilmic(vec3 shown)
+// The light that displayed() makes a display value of.
+vec3 lightOf(vec3 shown)
 {
     vec3 y = min(shown, 0.99), a = 6.2 * (1.0 - y), b = 0.5 - 1.7 * y, c = 0.06 * y;
     return (sqrt(b * b + 4.0 * a * c) - b) / (2.0 * a) + 0.004;
 }
+#endif

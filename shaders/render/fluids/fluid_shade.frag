@@ -81,7 +81,7 @@ void main()
     vec2 at = gl_FragCoord.xy / vec2(frame.width, frame.height);
     vec4 tint = textureLod(fluidTintPicture, at, 0.0), glow = textureLod(fluidGlowPicture, at, 0.0);
     vec2 place = seenThrough(p, refract(-toEye, n, REFRACTION), pixel, 1.3 * glow.a + frame.fluidRadius);
-    vec3 behind = unfilmic(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w;
+    vec3 behind = lightOf(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w;
     vec3 through = behind * exp(-tint.rgb - tint.a);
     float key = max(0.7 * dot(n, view.keyInView.xyz) + 0.3, 0.0);
     vec3 light = 0.4 * key * frame.keyColor.rgb +
@@ -93,8 +93,8 @@ void main()
     // more than that: edges at walls would have a bright rim.
     float sharpness = 1.0 / (1.0 / SUN_SHARPNESS + turned), dimmed = sharpness / SUN_SHARPNESS;
     float glint = 0.8 * dimmed * dimmed * pow(max(dot(mirror, view.keyInView.xyz), 0.0), sharpness);
-    vec3 sky = skyRadiance(dot(mirror, view.upInView.xyz));
+    vec3 sky = skyTowards(mirror);
     vec3 radiance = mix(through + back, sky, mirrored) + glint * frame.keyColor.rgb;
-    vec3 color = filmic(radiance * frame.groundColor.w);
+    vec3 color = displayed(radiance * frame.groundColor.w);
     picture = vec4(color, dot(color, vec3(0.299, 0.587, 0.114)));
 }

@@ -3,6 +3,10 @@
 
 uniform sampler2D litPicture;
 layout(location = 0) out vec4 smoothed;
+#ifdef TRANSPARENT
+uniform sampler2D coverPicture;
+layout(location = 1) out float smoothedCover;
+#endif
 
 const float MIN_CONTRAST = 0.035;
 const float RELATIVE_CONTRAST = 0.10;
@@ -33,4 +37,11 @@ void main()
                                     textureLod(litPicture, at + 0.5 * tangent, 0.0));
     // A long span that leaves the range of its neighbours has crossed another edge.
     smoothed = far.a < low || far.a > high ? near : far;
+#ifdef TRANSPARENT
+    float nearCover = 0.5 * (textureLod(coverPicture, at - tangent / 6.0, 0.0).r +
+                             textureLod(coverPicture, at + tangent / 6.0, 0.0).r);
+    float farCover = 0.5 * nearCover + 0.25 * (textureLod(coverPicture, at - 0.5 * tangent, 0.0).r +
+                                               textureLod(coverPicture, at + 0.5 * tangent, 0.0).r);
+    smoothedCover = far.a < low || far.a > high ? nearCover : farCover;
+#endif
 }

@@ -3,6 +3,9 @@
 
 uniform sampler2D smoothedPicture;
 layout(location = 0) out vec4 resolved;
+#ifdef TRANSPARENT
+uniform sampler2D smoothedCoverPicture;
+#endif
 
 void main()
 {
@@ -12,4 +15,11 @@ void main()
         for (int x = 0; x < factor; ++x)
             sum += texelFetch(smoothedPicture, ivec2(gl_FragCoord.xy) * factor + ivec2(x, y), 0).rgb;
     resolved = vec4(sum / float(factor * factor), 1.0);
+#ifdef TRANSPARENT
+    float covered = 0.0;
+    for (int y = 0; y < factor; ++y)
+        for (int x = 0; x < factor; ++x)
+            covered += texelFetch(smoothedCoverPicture, ivec2(gl_FragCoord.xy) * factor + ivec2(x, y), 0).r;
+    resolved.a = covered / float(factor * factor);
+#endif
 }

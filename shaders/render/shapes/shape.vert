@@ -14,6 +14,10 @@ flat out vec4 source;                       // the eye, or the direction to the 
 out vec4 boxPoint;                          // in the shape's frame; w: its depth in the light's view
 #else
 flat out mat3 toShape;                      // from the view's axes
+flat out uint finishAlpha;
+#ifdef PATTERNS
+flat out uint patternSeed;
+#endif
 #endif
 
 void main()
@@ -31,7 +35,12 @@ void main()
     gl_Position = vec4(worldToLight(world), 1.0);
     boxPoint = vec4(corner, gl_Position.z);
 #else
-    source = vec4((view.cameraPosition.xyz - middle) * axes, shapeColor(texelFetch(bodyShapes, first + 2).xyz));
+    vec4 look = texelFetch(bodyShapes, first + 2);
+    source = vec4((view.cameraPosition.xyz - middle) * axes, shapeColor(look.xyz));
+    finishAlpha = uint(look.w);
+#ifdef PATTERNS
+    patternSeed = uint(place.w);
+#endif
     toShape = transpose(axes) * mat3(view.cameraRight.xyz, view.cameraUp.xyz, view.cameraBack.xyz);
     gl_Position = projectView(toView(world));
     // The depth of the nearest point that it may have: what is hidden can be skipped before the ray.

@@ -6,6 +6,9 @@ in vec3 viewNormal;
 in vec2 uv;
 in vec3 colorRoots;
 flat in int material;
+#ifdef FINISHES
+flat in uint finishAlpha;
+#endif
 layout(location = 0) out uvec2 surface;
 
 void main()
@@ -22,6 +25,10 @@ void main()
     // A back is lit from its own side. A front's normal may point away a little where the mesh turns out of sight.
     if (!gl_FrontFacing && dot(normal, viewRay(gl_FragCoord.xy)) > 0.0) normal = -normal;
 #endif
-    surface = uvec2(packNormal(normal), packRoots(roots, 1.0));
+    uint word = packRoots(roots, 1.0);
+#ifdef FINISHES
+    word = (word & 0xffffffu) | finishAlpha << 24;
+#endif
+    surface = uvec2(packNormal(normal), word);
     gl_FragDepth = 1.0 / (gl_FragCoord.w * frame.farDepth);
 }

@@ -4,24 +4,33 @@
 #include "shared/draw_types.h"
 
 uniform usamplerBuffer skinPlaces;          // place [m] and normal
-uniform usamplerBuffer skinGroups;          // wearer, its first vertex, number of the wearer's earlier vertices
+uniform usamplerBuffer skinGroups;          // wearer, its first vertex, number of earlier ones; its finish
 uniform samplerBuffer skinVertexLooks;      // uv, colour, material
 
 out vec3 viewNormal;
 out vec2 uv;
 out vec3 colorRoots;            // of the colour, so that pixels need not compute them
 flat out int material;
+#ifdef FINISHES
+flat out uint finishAlpha;
+#endif
 
 void main()
 {
     uvec4 posed = texelFetch(skinPlaces, gl_VertexID);
-    uint firstVertex = texelFetch(skinGroups, gl_VertexID / int(SKIN_GROUP_SIZE)).y;
+    uvec4 group = texelFetch(skinGroups, gl_VertexID / int(SKIN_GROUP_SIZE));
+    uint firstVertex = group.y;
     vec4 looks = texelFetch(skinVertexLooks, int(firstVertex) + gl_VertexID % int(SKIN_GROUP_SIZE));
     vec3 place = uintBitsToFloat(posed.xyz);
     viewNormal = directionToView(unpackNormal(posed.w));
     uv = looks.xy;
     colorRoots = unpackRoots(uint(looks.z));
     material = int(looks.w);
+#ifdef FINISHES
+    // Of the wearer, or of the model's material.
+    finishAlpha = group.w != 0u ? group.w : uint(material) >> 16;
+    material &= 0xffff;
+#endif
 #ifdef LIGHT_VIEW
     gl_Position = vec4(worldToLight(place), 1.0);
 #else

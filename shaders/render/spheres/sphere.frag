@@ -1,6 +1,14 @@
 // The sphere's nearest point on the pixel's ray: its depth, normal and colour.
 #include "render/common/surface.glsl"
 #include "render/common/sphere_hit.glsl"
+#ifdef PATTERNS
+#include "math/quaternion.glsl"
+#include "render/common/finish_pattern.glsl"
+
+flat in vec4 placeInBody;
+flat in vec4 bodyTurn;
+flat in uint patternSeed;
+#endif
 
 flat in vec4 sphere;
 flat in float radius;
@@ -12,6 +20,12 @@ void main()
 {
     SphereHit hit;
     if (!sphereHit(sphere.xyz, radius, gl_FragCoord.xy, hit)) discard;
-    surface = uvec2(packNormal(hit.normal), floatBitsToUint(sphere.w));
+    uint word = floatBitsToUint(sphere.w);
+#ifdef PATTERNS
+    vec3 arm = rotate(conjugate(bodyTurn), directionToWorld(hit.normal) * radius);
+    vec3 place = alongAxis(placeInBody.xyz + arm, int(placeInBody.w));
+    word = patternedWord(word, place, patternSeed, pixelWidth(hit.depth, hit.normal));
+#endif
+    surface = uvec2(packNormal(hit.normal), word);
     gl_FragDepth = hit.depth / frame.farDepth;
 }

@@ -3,6 +3,9 @@
 #include "render/common/drawn_radius.glsl"
 #include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
+#ifdef PATTERNS
+#include "render/spheres/sphere_place.glsl"
+#endif
 
 uniform usamplerBuffer sphereList;
 uniform samplerBuffer positions;
@@ -21,5 +24,8 @@ void main()
     sphere = vec4(centre, uintBitsToFloat(sphereColor(particle)));
     gl_PointSize = max(size.x, size.y) + 1.0;
     gl_Position = vec4(0.5 * (bounds.xy + bounds.zw), 2.0 * (-centre.z - radius) / frame.farDepth - 1.0, 1.0);
+#ifdef PATTERNS
+    placeSphere(particle);
+#endif
     if (isLeftOut(uint(particle))) gl_Position = NOWHERE;
 }

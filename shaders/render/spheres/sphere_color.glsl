@@ -10,9 +10,10 @@ uniform samplerBuffer velocities;
 uint sphereColor(int particle)
 {
     // A stored colour is that of a highlighted joint.
-    uint stored = texelFetch(sphereColors, particle).x;
+    uint stored = texelFetch(sphereColors, particle).x, finish = stored >> 24;
     uint moving = packAlbedo(speedColor(length(texelFetch(velocities, particle).xyz) / frame.speedScale), 1.0);
-    return stored != 0u ? stored : moving;
+    if (finish != 0u) moving = (moving & 0xffffffu) | finish << 24;
+    return (stored & 0xffffffu) != 0u ? stored : moving;
 }
 #else
 uint sphereColor(int particle)

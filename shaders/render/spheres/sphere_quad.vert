@@ -3,6 +3,9 @@
 #include "render/common/drawn_radius.glsl"
 #include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
+#ifdef PATTERNS
+#include "render/spheres/sphere_place.glsl"
+#endif
 
 uniform usamplerBuffer sphereList;
 uniform samplerBuffer positions;
@@ -24,5 +27,8 @@ void main()
     vec2 corner = vec2(place & 1, place >> 1);
     gl_Position = vec4(clamp(mix(bounds.xy, bounds.zw, corner), -1.0, 1.0),
                        2.0 * nearest / frame.farDepth - 1.0, 1.0);
+#ifdef PATTERNS
+    placeSphere(int(particle));
+#endif
     if (isLeftOut(particle)) gl_Position = NOWHERE;
 }

@@ -110,6 +110,8 @@ void visitModel(Archive& archive, Any& model)
         archive.plain(material.twoSided);
         archive.plain(material.alphaCutoff);
         archive.plain(material.wrap);
+        archive.plain(material.roughness);
+        archive.plain(material.metalness);
     });
     archive.list(model.surface.textures, [&](auto& picture) {
         archive.plain(picture.width);
@@ -148,6 +150,7 @@ bool valid(const ModelSurface& surface, size_t vertexCount)
     }
     for (const SkinMaterial& material : surface.materials) {
         good = good && material.color.allFinite() && std::isfinite(material.alphaCutoff) &&
+               material.roughness <= 1.0f && material.metalness <= 1.0f &&
                std::ranges::max(material.wrap) <= TextureWrap::Clamp &&
                (material.texture == NO_INDEX || material.texture < surface.textures.size());
     }

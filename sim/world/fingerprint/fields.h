@@ -39,7 +39,7 @@ inline auto fieldsOf(const FluidLook& l)
 inline auto fieldsOf(const Material& m)
 {
     const auto& [name, density, sticking, sliding, restitution, rolling, color, fluid, viscosity, slip, tension, look,
-                 elasticity] = m;
+                 elasticity, finish] = m;
     return counting(density, sticking, sliding, restitution, rolling, fluid, viscosity, slip, tension, look,
                     elasticity);
 }
@@ -99,6 +99,8 @@ inline auto fieldsOf(const Collider& c)
         decltype(c.kineticFriction) sliding;
         decltype(c.color) color;
         decltype(c.visible) visible;
+        decltype(c.finish) finish;
+        decltype(c.floor) floor;
     };
     static_assert(sizeof(Collider) <= sizeof(Region) + (sizeof(Own) + 15) / 16 * 16, "say whether a new field counts");
     return std::tuple_cat(fieldsOf(static_cast<const Region&>(c)),

@@ -36,11 +36,12 @@ float wrapped(float place, TextureWrap wrap);
 /// Looks of a part of a mesh.
 struct SkinMaterial {
     std::string name;
-    Eigen::Vector3f color{0.8f, 0.8f, 0.8f};  ///< Linear RGB, 0-1; multiplied by the colours of texture and vertex.
-    uint32_t texture = NO_INDEX;              ///< Index of its picture, or none.
-    bool twoSided = true;                     ///< Also seen from behind.
-    float alphaCutoff = 0.0f;                 ///< Pixels with less alpha are not drawn, 0 ... 1.
-    std::array<TextureWrap, 2> wrap{};        ///< Along u and v.
+    Eigen::Vector3f color{0.8f, 0.8f, 0.8f};     ///< Linear RGB, 0-1; multiplied by the colours of texture and vertex.
+    uint32_t texture = NO_INDEX;                 ///< Index of its picture, or none.
+    bool twoSided = true;                        ///< Also seen from behind.
+    float alphaCutoff = 0.0f;                    ///< Pixels with less alpha are not drawn, 0 ... 1.
+    std::array<TextureWrap, 2> wrap{};           ///< Along u and v.
+    float roughness = -1.0f, metalness = -1.0f;  ///< 0 ... 1; below 0: the model says nothing of it.
 };
 
 /// Skinned to at most four bodies of an object.

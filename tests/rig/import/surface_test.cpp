@@ -180,6 +180,14 @@ TEST_F(Surface, ColorsOfOldAndOfGlowingMaterialsAreTaken)
     EXPECT_EQ(lookOf(trianglePainted("{ " + glow + "[1, 0, 0, 1] } }")).color, Eigen::Vector3f(1, 0, 0));
 }
 
+TEST_F(Surface, KnowsFactorsOfMetalnessAndRoughness)
+{
+    const SkinMaterial brass = lookOf(
+        trianglePainted("{ \"pbrMetallicRoughness\": { \"metallicFactor\": 0.75, \"roughnessFactor\": 0.25 } }"));
+    EXPECT_FLOAT_EQ(brass.metalness, 0.75f);
+    EXPECT_FLOAT_EQ(brass.roughness, 0.25f);
+}
+
 TEST_F(Surface, ADamagedTextureIsANoteAndItsMaterialPlain)
 {
     write("paint.tga", smallPicture().substr(0, 10));

@@ -199,6 +199,14 @@ Eigen::Affine2f movedBy(const aiUVTransform& transform)
     return moved.matrix().allFinite() ? moved : Eigen::Affine2f::Identity();
 }
 
+/// 0 ... 1; below 0: not given.
+float factorOf(const aiMaterial& material, const char* key, unsigned type, unsigned index)
+{
+    ai_real value = -1.0f;
+    if (material.Get(key, type, index, value) != aiReturn_SUCCESS || !(value >= 0.0f)) return -1.0f;
+    return std::min(static_cast<float>(value), 1.0f);
+}
+
 /// @param picture gets where the picture's places are.
 SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures, ConvertedMaterial& picture)
 {
@@ -209,6 +217,8 @@ SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures
     converted.color = color.rgb;
     converted.twoSided = isTwoSided(material);
     converted.alphaCutoff = alphaCutoffOf(material);
+    converted.roughness = factorOf(material, AI_MATKEY_ROUGHNESS_FACTOR);
+    converted.metalness = factorOf(material, AI_MATKEY_METALLIC_FACTOR);
     const auto wanted = color.isGlow ? std::array{aiTextureType_EMISSIVE, aiTextureType_EMISSION_COLOR}
                                      : std::array{aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
     for (const aiTextureType type : wanted) {
