@@ -30,6 +30,7 @@ private:
     const Passes& of(SphereGroup group) const;
 
     Buffer<uint32_t> colors_;
+    Buffer<uint32_t> grains_;  ///< A bit per particle.
     Passes all_;
     std::optional<Passes> beads_;  ///< Of fluids, if others of them are drawn as surfaces.
 };

@@ -1,0 +1,108 @@
+#include <cmath>
+
+#include "shared/matter_types.h"
+#include "sim/solver/strand/strand_order.h"
+#include "tests/render/surfaces/matter_fixture.h"
+
+namespace knuckle::test {
+namespace {
+
+constexpr float DIAMETER = 0.1f;
+constexpr uint32_t NODES = 9;  // a side
+
+/// A sheet in the plane z = `bend` times the square of x, its threads along x and y.
+StillWorld sheet(float bend = 0.0f)
+{
+    StillWorld still = redMatter(0.5f * DIAMETER);
+    World& world = still.world;
+    ClothSurface surface;
+    surface.columns = surface.rows = NODES;
+    const float middle = 0.5f * (NODES - 1);
+    for (uint32_t j = 0; j < NODES; ++j)
+        for (uint32_t k = 0; k < NODES; ++k) {
+            const float x = DIAMETER * (float(k) - middle), y = DIAMETER * (middle - float(j));
+            surface.nodes.push_back(addLoose(world, {x, y, bend * x * x}));
+        }
+    for (uint32_t j = 0; j + 1 < NODES; ++j)
+        for (uint32_t k = 0; k + 1 < NODES; ++k) {
+            const uint32_t node = j * NODES + k, below = node + NODES;
+            surface.triangles.push_back({node, below, node + 1});
+            surface.triangles.push_back({node + 1, below, below + 1});
+        }
+    for (uint32_t line = 0; line < NODES; ++line) {
+        std::vector<uint32_t> row, column;
+        for (uint32_t k = 0; k < NODES; ++k) {
+            row.push_back(surface.nodes[line * NODES + k]);
+            column.push_back(surface.nodes[k * NODES + line]);
+        }
+        addStrand(world, row, DIAMETER);
+        addStrand(world, column, DIAMETER);
+    }
+    world.drawn.cloth.push_back(surface);
+    return still;
+}
+
+TEST(ClothSurface, HasTheSizeOfItsParticlesAndTheThicknessOfItsHem)
+{
+    const StillWorld still = sheet();
+    // Edges are filtered: a pixel at each end of a length.
+    const float side = (NODES - 1 + 2.0f * CLOTH_HALF) * DIAMETER, thickness = 2.0f * CLOTH_HALF * DIAMETER;
+    const Image front = drawn(still.world, redView({0, 0, 2}));
+    EXPECT_NEAR(redIn(front, PICTURE / 2, true), pixelsOf(side, 2.0f), 2.0f);
+    EXPECT_NEAR(redIn(front, PICTURE / 2, false), pixelsOf(side, 2.0f), 2.0f);
+    // From beside it the nearest edge is nearer by half the side.
+    const Image beside = drawn(still.world, redView({1.2f, 0, 0}));
+    EXPECT_NEAR(redIn(beside, PICTURE / 2, true), pixelsOf(thickness, 1.2f - 0.5f * side), 2.0f);
+}
+
+TEST(ClothSurface, BothSidesAreLitFromTheirOwn)
+{
+    const StillWorld still = sheet();
+    RenderSettings front = redView({0, 0, 2}), back = redView({0, 0, -2});
+    front.light.direction = back.light.direction = Vector3f(0, 0.1f, 1);
+    const int lit = pixelAt(drawn(still.world, front), PICTURE / 2, PICTURE / 2).x();
+    const int dark = pixelAt(drawn(still.world, back), PICTURE / 2, PICTURE / 2).x();
+    EXPECT_GT(lit, dark + 30);
+    EXPECT_GT(dark, 20);
+}
+
+TEST(ClothSurface, IsSmoothBetweenItsParticles)
+{
+    // A trough under a light from the right: brightness falls from pixel to pixel, whatever cell it is in. Facets
+    // would have eight steps with nothing between.
+    RenderSettings settings = redView({0, 0, 2});
+    settings.light.direction = Vector3f(1, 0.3f, 0.6f);
+    settings.light.softness = 0;
+    const Image image = drawn(sheet(0.6f).world, settings);
+    int changes = 0;
+    for (uint32_t x = 60; x < 140; x += 4)
+        changes += pixelAt(image, x, PICTURE / 2).x() != pixelAt(image, x + 4, PICTURE / 2).x();
+    EXPECT_GE(changes, 14);
+}
+
+TEST(ClothSurface, ATearLeavesAHole)
+{
+    const StillWorld still = sheet();
+    const StrandOrder order = strandOrder(still.world);
+    // The threads of the middle column of cells, whose rows are every other strand.
+    std::vector<size_t> torn;
+    for (uint32_t row = 0; row < NODES; ++row) torn.push_back(order.stateOf(still.world, 2 * row, 4));
+    const RenderSettings settings = redView({0, 0, 2});
+    const Image whole = drawnTorn(still.world, settings, {}), open = drawnTorn(still.world, settings, torn);
+    const auto x = static_cast<uint32_t>(PICTURE / 2 + pixelsOf(0.5f * DIAMETER, 2.0f));
+    EXPECT_TRUE(isRed(whole, x, PICTURE / 2));
+    for (uint32_t y = 0; y < PICTURE; ++y) EXPECT_FALSE(isRed(open, x, y)) << y;
+    // A cell is missing from all of the width; what is beside it stays where it was.
+    EXPECT_NEAR(float(redIn(whole, PICTURE / 2, true)) - float(redIn(open, PICTURE / 2, true)),
+                pixelsOf(DIAMETER, 2.0f), 2.5f);
+}
+
+TEST(ClothSurface, IsNotDrawnWhereItsParticlesAreHidden)
+{
+    StillWorld still = sheet();
+    still.world.unseen.push_back({0, NODES * NODES});
+    EXPECT_EQ(redPixels(drawn(still.world, redView({0, 0, 2}))), 0u);
+}
+
+}  // namespace
+}  // namespace knuckle::test
