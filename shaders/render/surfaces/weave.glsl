@@ -1,9 +1,9 @@
 // A plain weave: threads pass over and under each other in turn.
 
 /// Height of the bumps over the distance of threads.
-const float WEAVE_HEIGHT = 0.12;
+const float WEAVE_HEIGHT = 0.09;
 /// How much darker it is between the bumps.
-const float WEAVE_SHADE = 0.10;
+const float WEAVE_SHADE = 0.08;
 
 struct Weave {
     vec2 slope;     // of its height, per thread
@@ -14,7 +14,7 @@ struct Weave {
 Weave weaveAt(vec2 threads, vec2 perX, vec2 perY)
 {
     float pixel = sqrt(max(dot(perX, perX), dot(perY, perY)));
-    float seen = 1.0 - smoothstep(0.2, 0.5, pixel);
+    float seen = 1.0 - smoothstep(0.15, 0.35, pixel);
     vec2 angle = 3.14159265 * threads, s = sin(angle), c = cos(angle);
     float height = s.x * s.y;
     return Weave(seen * WEAVE_HEIGHT * 3.14159265 * vec2(c.x * s.y, s.x * c.y),

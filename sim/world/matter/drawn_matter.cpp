@@ -17,19 +17,24 @@ constexpr float RESISTANCE = 1e-3f;
 
 HullVertex boundVertex(const Vector3f& place, std::span<const Vector3f> particles, float reach)
 {
-    const size_t count = std::min(HULL_LINKS, particles.size());
+    const size_t count = std::min(HULL_LINKS, particles.size()), sorted = std::min(count + 1, particles.size());
     std::vector<uint32_t> order(particles.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto distance = [&](uint32_t i) { return (particles[i] - place).squaredNorm(); };
-    std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(count), {}, distance);
+    std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(sorted), {}, distance);
     const float nearest = std::sqrt(distance(order[0]));
+    const auto weightOf = [&](uint32_t i) {
+        const float far = (std::sqrt(distance(i)) - nearest) / reach;
+        return std::exp(-far * far);
+    };
+    // Nothing at the first particle that is left out, so that the surface has no step where another one is.
+    const float least = sorted > count ? (1.0f - 1e-3f) * weightOf(order[count]) : 0.0f;
     // Fit of a plane in four dimensions about the mean: weight_i = w_i (1 + (x_i - mean) M^-1 (place - mean)).
     std::vector<float> weights;
     float sum = 0.0f;
     Vector3f mean = Vector3f::Zero();
     for (size_t k = 0; k < count; ++k) {
-        const float far = (std::sqrt(distance(order[k])) - nearest) / reach;
-        weights.push_back(std::exp(-far * far));
+        weights.push_back(weightOf(order[k]) - least);
         sum += weights[k];
         mean += weights[k] * particles[order[k]];
     }
