@@ -35,8 +35,8 @@ float widthOf(float distance)
 TEST(RopeTube, HasTheRadiusOfItsParticles)
 {
     // 3 % of the radius for its sixteen sides, and a pixel for its filtered edges.
-    const float wanted = pixelsOf(widthOf(1.5f), 1.5f);
-    const Image image = drawn(rope().world, redView({0, 0, 1.5f}));
+    const float wanted = pixelsOf(widthOf(0.6f), 0.6f);
+    const Image image = drawn(rope().world, redView({0, 0, 0.6f}));
     for (const uint32_t x : {40u, 77u, 100u, 151u})
         EXPECT_NEAR(float(redIn(image, x, false)), wanted, 0.03f * wanted + 1.0f) << x;
 }
@@ -49,13 +49,14 @@ TEST(RopeTube, EndsInCaps)
 
 TEST(RopeTube, BendsBetweenItsParticles)
 {
-    // On a circle of 0.5 m chords are inside of it by up to 0.0064 m in the middle, cubics by a tenth of that: 0.0006.
-    // So the outer edge is everywhere that of the circle, within half a pixel, 0.004 m.
-    constexpr float CIRCLE = 0.5f, DISTANCE = 2.0f;
+    // On a circle of 0.3 m chords are inside of it by 0.0107 m in the middle, two and a half pixels; cubics by less
+    // than a tenth of that.
+    constexpr float CIRCLE = 0.3f, DISTANCE = 1.2f;
     const Image image = drawn(rope(CIRCLE).world, redView({0, 0, DISTANCE}));
-    const float outer = pixelsOf(CIRCLE + RADIUS, DISTANCE);
-    for (float angle = -1.1f; angle < 1.15f; angle += 0.05f)
-        for (const float beyond : {-2.0f, 2.0f}) {
+    // A ring is seen a little larger than its outer circle: where the tube's sides are tangents from the eye.
+    const float outer = pixelsOf(CIRCLE + RADIUS * std::hypot(1.0f, CIRCLE / DISTANCE), DISTANCE);
+    for (float angle = -1.5f; angle < 1.55f; angle += 0.05f)
+        for (const float beyond : {-1.5f, 1.5f}) {
             const float x = 0.5f * PICTURE + (outer + beyond) * std::sin(angle);
             const float y = 0.5f * PICTURE - (outer + beyond) * std::cos(angle);
             EXPECT_EQ(isRed(image, uint32_t(x), uint32_t(y)), beyond < 0.0f) << angle;
