@@ -96,5 +96,10 @@ TEST(RopeTube, IsNotDrawnWhereItsParticlesAreHidden)
     EXPECT_EQ(redPixels(drawn(still.world, redView({0, 0, 3}))), 0u);
 }
 
+TEST(RopeTube, ShowSpeedsWhereTheyAreAsked)
+{
+    expectColorsBySpeed(rope().world, 2);
+}
+
 }  // namespace
 }  // namespace knuckle::test

@@ -68,5 +68,10 @@ TEST(Grains, AreNotDrawnWhereTheyAreHidden)
     EXPECT_EQ(redPixels(drawn(still.world, redView({0, 0, 3}))), 0u);
 }
 
+TEST(Grains, ShowSpeedsWhereTheyAreAsked)
+{
+    expectColorsBySpeed(grains().world, 2);
+}
+
 }  // namespace
 }  // namespace knuckle::test

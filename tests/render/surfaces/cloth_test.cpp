@@ -123,5 +123,10 @@ TEST(ClothSurface, IsNotDrawnWhereItsParticlesAreHidden)
     EXPECT_EQ(redPixels(drawn(still.world, redView({0, 0, 2}))), 0u);
 }
 
+TEST(ClothSurface, ShowSpeedsWhereTheyAreAsked)
+{
+    expectColorsBySpeed(sheet().world, 2);
+}
+
 }  // namespace
 }  // namespace knuckle::test

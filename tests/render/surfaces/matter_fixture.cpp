@@ -4,6 +4,19 @@
 
 namespace knuckle::test {
 
+void expectColorsBySpeed(World world, float distance)
+{
+    RenderSettings settings = redView({0, 0, distance});
+    settings.colorBy = ColorBy::Speed;
+    settings.speedScale = 5.0f;
+    const auto middle = [&] { return pixelAt(drawn(world, settings), PICTURE / 2, PICTURE / 2); };
+    const Eigen::Vector3i slow = middle();
+    for (Particle& particle : world.particles) particle.velocity = Vector3f(0, 5, 0);
+    const Eigen::Vector3i fast = middle();
+    EXPECT_GT(slow.z(), slow.x() + 20);
+    EXPECT_GT(fast.x(), slow.x() + 60);
+}
+
 Image drawnTorn(const World& world, const RenderSettings& settings, const std::vector<size_t>& torn)
 {
     std::vector<gpu::vec4> states(strandOrder(world).nodeCount);

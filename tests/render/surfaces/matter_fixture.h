@@ -68,6 +68,9 @@ inline float pixelsOf(float length, float distance)
     return length * PICTURE / (2.0f * distance * std::tan(20.0f * 3.14159265f / 180.0f));
 }
 
+/// Whether the middle of the picture is dark blue at rest and bright when all particles are fast.
+void expectColorsBySpeed(World world, float distance);
+
 /// The picture of `world` with some of its distances torn, by their index in the solver's order.
 Image drawnTorn(const World& world, const RenderSettings& settings, const std::vector<size_t>& torn);
 

@@ -70,5 +70,10 @@ TEST(SoftSurface, ABoundPlaceFollowsTurnsAndShears)
     }
 }
 
+TEST(SoftSurface, ShowSpeedsWhereTheyAreAsked)
+{
+    expectColorsBySpeed(softCube([](const Vector3f& p) { return p; }).world, 2);
+}
+
 }  // namespace
 }  // namespace knuckle::test
