@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "render/stored_view.h"
 #include "shared/matter_types.h"
 #include "sim/solver/strand/strand_order.h"
 #include "tests/render/surfaces/matter_fixture.h"
@@ -97,6 +98,30 @@ TEST(ClothSurface, ATearLeavesAHole)
     // A cell is missing from all of the width; what is beside it stays where it was.
     EXPECT_NEAR(float(redIn(whole, PICTURE / 2, true)) - float(redIn(open, PICTURE / 2, true)),
                 pixelsOf(DIAMETER, 2.0f), 2.5f);
+}
+
+TEST(ClothSurface, ATearIsSeenInStoredStates)
+{
+    const StillWorld still = sheet();
+    const StrandOrder order = strandOrder(still.world);
+    ViewState state;
+    for (const Particle& p : still.world.particles)
+        state.positions.push_back({p.position.x(), p.position.y(), p.position.z(), 0.0f});
+    state.velocities.resize(still.world.particles.size());
+    state.tornDistances.resize(order.nodeCount);
+    std::vector<size_t> torn;
+    for (uint32_t row = 0; row < NODES; ++row) {
+        torn.push_back(order.stateOf(still.world, 2 * row, 4));
+        state.tornDistances[torn.back()] = true;
+    }
+    const RenderSettings settings = redView({0, 0, 2});
+    Renderer renderer(sharedGpu(), still.world, settings);
+    StoredView stored(still.world);
+    renderer.draw(stored.upload(state), 0.0);
+    EXPECT_EQ(renderer.readImage().rgb, drawnTorn(still.world, settings, torn).rgb);
+    state.tornDistances.clear();
+    renderer.draw(stored.upload(state), 0.0);
+    EXPECT_EQ(renderer.readImage().rgb, drawnTorn(still.world, settings, {}).rgb);
 }
 
 TEST(ClothSurface, NothingIsPulledAcrossATear)
