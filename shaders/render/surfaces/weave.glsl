@@ -1,7 +1,7 @@
 // A plain weave: threads pass over and under each other in turn.
 
 /// Height of the bumps over the distance of threads.
-const float WEAVE_HEIGHT = 0.09;
+const float WEAVE_HEIGHT = 0.05;
 /// How much darker it is between the bumps.
 const float WEAVE_SHADE = 0.08;
 

@@ -11,8 +11,8 @@ namespace {
 constexpr float DIAMETER = 0.1f;
 constexpr uint32_t NODES = 9;  // a side
 
-/// A sheet in the plane z = `bend` times the square of x, its threads along x and y.
-StillWorld sheet(float bend = 0.0f)
+/// A sheet in the plane of the picture, its threads along x and y.
+StillWorld sheet()
 {
     StillWorld still = redMatter(0.5f * DIAMETER);
     World& world = still.world;
@@ -22,7 +22,7 @@ StillWorld sheet(float bend = 0.0f)
     for (uint32_t j = 0; j < NODES; ++j)
         for (uint32_t k = 0; k < NODES; ++k) {
             const float x = DIAMETER * (float(k) - middle), y = DIAMETER * (middle - float(j));
-            surface.nodes.push_back(addLoose(world, {x, y, bend * x * x}));
+            surface.nodes.push_back(addLoose(world, {x, y, 0}));
         }
     for (uint32_t j = 0; j + 1 < NODES; ++j)
         for (uint32_t k = 0; k + 1 < NODES; ++k) {
@@ -69,18 +69,37 @@ TEST(ClothSurface, BothSidesAreLitFromTheirOwn)
     EXPECT_GT(brightness(2, 1), brightness(-2, 1) + 30);
 }
 
-TEST(ClothSurface, IsSmoothBetweenItsParticles)
+TEST(ClothSurface, IsASplineThroughItsParticles)
 {
-    // A trough under a light from the right: brightness falls from pixel to pixel, whatever cell it is in. Facets
-    // would have eight steps with nothing between.
-    RenderSettings settings = redView({0, 0, 2});
-    settings.light.direction = Vector3f(1, 0.3f, 0.6f);
-    settings.light.softness = 0;
-    const Image image = drawn(sheet(0.6f).world, settings);
-    int changes = 0;
-    for (uint32_t x = 60; x < 140; x += 4)
-        changes += pixelAt(image, x, PICTURE / 2).x() != pixelAt(image, x + 4, PICTURE / 2).x();
-    EXPECT_GE(changes, 18);
+    // Rows that alternate by 0.05 m: a cubic B-spline has (4 - 1 - 1) / 6 of that, and nothing sharp.
+    StillWorld still = sheet();
+    for (uint32_t k = 0; k < NODES * NODES; ++k)
+        still.world.particles[k].position.z() = k / NODES % 2 == 0 ? 0.05f : -0.05f;
+    const Image beside = drawn(still.world, redView({1.2f, 0, 0}));
+    // The rows in the middle, where no edge is folded.
+    uint32_t wide = 0;
+    for (uint32_t x = 0; x < PICTURE; ++x) {
+        bool red = false;
+        for (uint32_t y = 60; y < 140; ++y) red = red || isRed(beside, x, y);
+        wide += red;
+    }
+    const float nearest = 1.2f - (0.5f * (NODES - 1) + CLOTH_HALF) * DIAMETER;
+    EXPECT_NEAR(float(wide), pixelsOf(2.0f * 0.05f / 3.0f + 2.0f * CLOTH_HALF * DIAMETER, nearest), 2.5f);
+}
+
+TEST(ClothSurface, ItsSideIsHalfItsThicknessAboveTheSpline)
+{
+    StillWorld still = sheet();
+    const auto bell = [](float x, float y) { return 0.25f * std::exp(-(x * x + y * y) / 0.06f); };
+    for (Particle& p : still.world.particles) p.position.z() = bell(p.position.x(), p.position.y());
+    // Its top: 4/6 of the middle's row and 1/6 of each of both beside it, in both directions.
+    const auto row = [&](float y) { return (4.0f * bell(0, y) + 2.0f * bell(DIAMETER, y)) / 6.0f; };
+    const float top = (4.0f * row(0) + 2.0f * row(DIAMETER)) / 6.0f + CLOTH_HALF * DIAMETER;
+    // Left is +z to an eye at +x.
+    const Image beside = drawn(still.world, redView({1.2f, 0, 0}));
+    uint32_t first = 0;
+    while (first < PICTURE && !isRed(beside, first, PICTURE / 2)) ++first;
+    EXPECT_NEAR(0.5f * PICTURE - float(first), pixelsOf(top, 1.2f), 1.5f);
 }
 
 TEST(ClothSurface, ATearLeavesAHole)
