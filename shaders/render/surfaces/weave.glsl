@@ -10,11 +10,11 @@ struct Weave {
     float shade;    // factor of the colour's roots
 };
 
-/// @param threads place on the sheet. Fades where a bump comes near a pixel in size.
+/// @param threads place on the sheet. Fades from eight pixels a thread down to three.
 Weave weaveAt(vec2 threads, vec2 perX, vec2 perY)
 {
     float pixel = sqrt(max(dot(perX, perX), dot(perY, perY)));
-    float seen = 1.0 - smoothstep(0.15, 0.35, pixel);
+    float seen = 1.0 - smoothstep(0.12, 0.3, pixel);
     vec2 angle = 3.14159265 * threads, s = sin(angle), c = cos(angle);
     float height = s.x * s.y;
     return Weave(seen * WEAVE_HEIGHT * 3.14159265 * vec2(c.x * s.y, s.x * c.y),
