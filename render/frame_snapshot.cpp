@@ -62,6 +62,7 @@ void FrameSnapshot::take(const ParticleView& view)
     view_.bodyRotations = copyVectors(view.bodyRotations, rotations, rotations_, "drawn rotations");
     view_.colliderPlaces = copyVectors(view.colliderPlaces, 2 * view.colliderCount, colliders_, "drawn colliders");
     view_.foamPlaces = copyVectors(view.foamPlaces, view.foamCount, foam_, "drawn foam");
+    view_.distanceStates = copyVectors(view.distanceStates, view.distanceCount, distances_, "drawn distances");
     taken_.set();
 }
 

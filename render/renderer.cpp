@@ -13,13 +13,16 @@
 #include "render/marks/mark_pass.h"
 #include "render/picture/picture_passes.h"
 #include "render/picture/picture_reader.h"
+#include "render/ropes/rope_pass.h"
 #include "render/shapes/shape_pass.h"
 #include "render/skins/skin_pass.h"
 #include "render/spheres/sphere_pass.h"
+#include "render/surfaces/surface_pass.h"
 #include "render/unseen.h"
 #include "render/view/framed_sets.h"
 #include "render/view/view_passes.h"
 #include "sim/base/errors.h"
+#include "sim/solver/strand/strand_order.h"
 
 namespace knuckle {
 
@@ -61,6 +64,8 @@ struct Renderer::Impl {
     RawBuffer positions, velocities, bodyCentres, bodyRotations, colliderPlaces;  ///< Stand in for the view's.
     RawBuffer foamPlaces;                                                         ///< The same.
     uint32_t foamCount = 0;
+    Buffer<gpu::vec4> wholeDistances;  ///< Where a view has none of its own.
+    RawBuffer distanceStates;          ///< Stands in for the view's.
     RenderTargets targets;
     BufferTable table;
     ViewPasses view;
@@ -70,6 +75,8 @@ struct Renderer::Impl {
     ColliderPass colliders;
     SkinPass skins;
     ShapePass shapes;
+    SurfacePass surfaces;
+    RopePass ropes;
     SpherePass spheres;
     FluidPass fluids;
     PicturePasses picture;
@@ -86,12 +93,14 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
       framedParticles("framedParticles", std::span<const uint32_t>(framed.words)),
       planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))),
+      wholeDistances("wholeDistances", canTear(world) ? strandOrder(world).nodeCount : 0),
       targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface),
               settings.background == Background::Transparent),
       view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), fluidLooks(table, world, settings),
       looks(table, world, settings, extent), lists(gpu, table, world, targets.hasSurfaces()),
       colliders(gpu, table, world, extent, targets), skins(gpu, table, world, targets),
-      shapes(gpu, table, world, settings, targets), spheres(gpu, table, world, settings, targets),
+      shapes(gpu, table, world, settings, targets), surfaces(gpu, table, world, settings, targets),
+      ropes(gpu, table, world, settings, targets), spheres(gpu, table, world, settings, targets),
       fluids(gpu, table, world, settings, targets),
       picture(gpu, table, targets, settings, looks.lighting(), looks.isMirror()),
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets),
@@ -112,6 +121,7 @@ BufferTable& Renderer::Impl::addInputs()
     table.add("bodyRotations", bodyRotations, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("colliderPlaces", colliderPlaces, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("foamPlaces", foamPlaces, elementType<gpu::vec4>(), Lifetime::Scratch);
+    table.add("distanceStates", distanceStates, elementType<gpu::vec4>(), Lifetime::Scratch);
     return table;
 }
 
@@ -130,6 +140,9 @@ void Renderer::Impl::attach(const ParticleView& shown)
                                         size_t{2} * shown.colliderCount * sizeof(gpu::vec4));
     foamCount = shown.foamCount;
     foamPlaces = RawBuffer::standIn("foamPlaces", shown.foamPlaces, foamCount * sizeof(gpu::vec4));
+    const bool tears = shown.distanceStates != 0;
+    distanceStates = RawBuffer::standIn("distanceStates", tears ? shown.distanceStates : wholeDistances.id(),
+                                        (tears ? shown.distanceCount : wholeDistances.size()) * sizeof(gpu::vec4));
     // The solver's last step wrote the inputs of everything below.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -154,7 +167,11 @@ void Renderer::Impl::drawSurfaces(bool withSkins, bool withParticles)
     targets.shadowMap.clear();
     colliders.drawShadow(timer);
     if (withSkins) skins.drawShadow(timer);
-    if (withParticles) shapes.drawShadow(timer);
+    if (withParticles) {
+        shapes.drawShadow(timer);
+        surfaces.drawShadow(timer);
+        ropes.drawShadow(timer);
+    }
     if (hasSolids) spheres.drawShadow(timer, lists, SphereGroup::Solid);
     if (hasFluids) spheres.drawShadow(timer, lists, SphereGroup::Fluid);
     if (withParticles && !fluids.empty()) fluids.drawShadow(timer, lists);
@@ -162,7 +179,11 @@ void Renderer::Impl::drawSurfaces(bool withSkins, bool withParticles)
     targets.geometry.clear();
     colliders.draw(timer);
     if (withSkins) skins.draw(timer);
-    if (withParticles) shapes.draw(timer);
+    if (withParticles) {
+        shapes.draw(timer);
+        surfaces.draw(timer);
+        ropes.draw(timer);
+    }
     if (hasSolids) spheres.draw(timer, lists, SphereGroup::Solid);
     if (hasFluids) spheres.draw(timer, lists, SphereGroup::Fluid);
 
@@ -175,6 +196,8 @@ void Renderer::Impl::draw()
     view.fit(timer);
     lists.update(timer);
     skins.update(timer);
+    surfaces.update(timer);
+    ropes.update(timer);
     drawSurfaces(!veiled, true);
     picture.drawLighting(timer);
     if (!fluids.empty()) fluids.draw(timer, lists, foamCount);

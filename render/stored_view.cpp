@@ -1,8 +1,10 @@
 #include "render/stored_view.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "sim/solver/fluid/foam_stage.h"
+#include "sim/solver/strand/strand_order.h"
 
 namespace knuckle {
 
@@ -10,7 +12,8 @@ StoredView::StoredView(const World& world)
     : world_(world), positions_("stored positions", world.particles.size()),
       velocities_("stored velocities", world.particles.size()), centres_("stored centres", world.bodies.size()),
       rotations_("stored rotations", world.bodies.size()), colliders_("stored colliders", 2 * world.colliders.size()),
-      foam_("stored foam", FoamStage::capacity(world))
+      foam_("stored foam", FoamStage::capacity(world)),
+      distances_("stored distances", canTear(world) ? strandOrder(world).nodeCount : 0)
 {
 }
 
@@ -31,6 +34,12 @@ ParticleView StoredView::upload(const ViewState& state)
     const std::vector<gpu::vec4> none(foam_.size());
     view.foamPlaces = fill(foam_, state.foamPlaces.empty() ? none : state.foamPlaces);
     view.foamCount = static_cast<uint32_t>(foam_.size());
+    // None is stored where none is torn; bits are stored in whole words.
+    std::vector<gpu::vec4> distances(distances_.size());
+    for (size_t i = 0; i < std::min(distances.size(), state.tornDistances.size()); ++i)
+        distances[i].z = state.tornDistances[i] ? 1.0f : 0.0f;
+    view.distanceStates = distances_.size() > 0 ? fill(distances_, distances) : 0;
+    view.distanceCount = static_cast<uint32_t>(distances_.size());
     view.particleCount = static_cast<uint32_t>(world_.particles.size());
     view.bodyCount = static_cast<uint32_t>(world_.bodies.size());
     view.colliderCount = static_cast<uint32_t>(world_.colliders.size());

@@ -17,7 +17,7 @@ public:
 
 private:
     const World& world_;
-    Buffer<gpu::vec4> positions_, velocities_, centres_, rotations_, colliders_, foam_;
+    Buffer<gpu::vec4> positions_, velocities_, centres_, rotations_, colliders_, foam_, distances_;
 };
 
 }  // namespace knuckle

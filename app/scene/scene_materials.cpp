@@ -22,8 +22,6 @@ void checkDraw(const SceneEntry& entry)
     const std::string draw = entry.json["draw"];
     if (entry.json["fluid"].get<bool>() && draw == "shape")
         entry.fail("/draw", "a fluid has no shape; take \"surface\" or \"particles\"");
-    if (!entry.json["fluid"].get<bool>() && draw == "surface")
-        entry.fail("/draw", "only a fluid has a surface; take \"shape\" or \"particles\", or say \"fluid\": true");
 }
 
 }  // namespace

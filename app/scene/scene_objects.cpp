@@ -18,6 +18,8 @@
 #include "app/scene/matter/scene_fluid.h"
 #include "app/scene/matter/scene_grains.h"
 #include "app/scene/matter/scene_ropes.h"
+#include "app/scene/matter/soft_hulls.h"
+#include "app/scene/scene_draw.h"
 #include "app/scene/scene_limits.h"
 #include "app/scene/scene_materials.h"
 #include "app/scene/scene_repeat.h"
@@ -56,15 +58,6 @@ RoundShape roundShapeOf(const Entry& entry)
     return {};
 }
 
-/// Draws the body's shape if the object or its material says so.
-void chooseDraw(const Entry& entry, uint32_t body, const BodyShape& shape)
-{
-    WorldBuilder& builder = entry.context.builder;
-    const std::string draw = entry.json.value("draw", "particles");
-    const DrawnAs ofMaterial = builder.material(builder.world().bodies[body].material).look.drawn;
-    if (draw == "shape" || (draw == "auto" && ofMaterial == DrawnAs::Shape)) builder.drawShape(body, shape);
-}
-
 /// The shape that the particles of a rigid body fill; without meaning for a mesh.
 BodyShape shapeOf(const Entry& entry, const std::vector<Vector3f>& positions)
 {
@@ -93,6 +86,10 @@ void addRigidOrSoft(const Entry& entry)
     const std::vector<SurfaceDistance> surface = soft ? std::vector<SurfaceDistance>() : surfaceOf(entry, positions);
     const std::vector<uint32_t> pinned = soft ? pinnedPoints(entry, positions) : std::vector<uint32_t>();
     const BodyShape shape = soft ? BodyShape() : shapeOf(entry, positions);
+    const std::string kind = entry.json["shape"];
+    const bool drawsShape = !soft && kind != "mesh" && isDrawnAs(entry, DrawnAs::Shape, "a rigid " + kind);
+    const bool drawsSurface = soft && isDrawnAs(entry, DrawnAs::Surface, "a soft body");
+    const std::shared_ptr<const SoftHull> hull = drawsSurface ? makeSoftHull(entry, positions) : nullptr;
     const bool held = entry.json["fixed"];
     const bool moved = hasMotion(entry.json);
     const float time = soft ? 0.0f : releaseTime(entry, held || moved);
@@ -101,12 +98,14 @@ void addRigidOrSoft(const Entry& entry)
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         const float delay = delayOf(entry.json, copy);
         builder.beginObject(entry.copyName(copy));
-        if (soft) builder.addSoftBody(entry.copyName(copy), positions, entry.material, pinned);
-        else {
+        if (soft) {
+            const uint32_t body = builder.addSoftBody(entry.copyName(copy), positions, entry.material, pinned);
+            if (hull) builder.drawSoft({body, hull});
+        } else {
             const uint32_t body = builder.addBody("body", positions, entry.material, Motion::Dynamic, surface,
                                                   roundShapeOf(entry));
             if (held) builder.holdBody(body, time + delay);
-            chooseDraw(entry, body, shape);
+            if (drawsShape) builder.drawShape(body, shape);
         }
         const uint32_t object = builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
         objects.push_back(object);
@@ -137,7 +136,8 @@ void addChain(const Entry& entry, const JointSpec& common, uint32_t lastMaterial
         const bool held = (b == 0 && hold != "last" && hold != "none") || (last && hold != "first" && hold != "none");
         indices.push_back(
             builder.addBody(fmt::format("body_{}", b + 1), positions, last ? lastMaterial : entry.material));
-        chooseDraw(entry, indices.back(), shapeAround(positions, 0.5f * builder.diameter()));
+        if (isDrawnAs(entry, DrawnAs::Shape, "a chain", last ? lastMaterial : entry.material))
+            builder.drawShape(indices.back(), shapeAround(positions, 0.5f * builder.diameter()));
         if (held) builder.holdBody(indices.back(), releaseTime(entry, true) + delayOf(json, copy));
     }
     const Json& types = json["joints"];

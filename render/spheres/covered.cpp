@@ -44,12 +44,31 @@ void coverShapes(std::vector<uint32_t>& bits, const World& world)
     }
 }
 
+/// What cloth, ropes and soft bodies are made of; not what a rope is tied to.
+void coverMatter(std::vector<uint32_t>& bits, const World& world)
+{
+    const auto isOwn = [&](uint32_t particle) {
+        const uint32_t body = world.particles[particle].body;
+        return body == NO_INDEX || (world.bodies[body].motion == Motion::Fixed && world.bodies[body].linkCount == 1);
+    };
+    for (const ClothSurface& sheet : world.drawn.cloth)
+        for (const uint32_t node : sheet.nodes) cover(bits, node);
+    for (const uint32_t rope : world.drawn.ropes)
+        for (const uint32_t node : world.strands[rope].particles)
+            if (isOwn(node)) cover(bits, node);
+    for (const SoftSurface& surface : world.drawn.soft) {
+        const SoftBody& body = world.softBodies[surface.softBody];
+        for (uint32_t k = 0; k < body.particleCount; ++k) cover(bits, body.particleStart + k);
+    }
+}
+
 }  // namespace
 
 bool coversParticles(const World& world)
 {
-    return !world.unseen.empty() || !world.bodyShapes.empty() ||
-           std::ranges::find(world.skins, SkinUse::Hide, &Skin::use) != world.skins.end();
+    const DrawnMatter& drawn = world.drawn;
+    return !world.unseen.empty() || !world.bodyShapes.empty() || !drawn.cloth.empty() || !drawn.ropes.empty() ||
+           !drawn.soft.empty() || std::ranges::find(world.skins, SkinUse::Hide, &Skin::use) != world.skins.end();
 }
 
 std::vector<uint32_t> coveredParticles(const World& world)
@@ -64,6 +83,7 @@ std::vector<uint32_t> coveredParticles(const World& world)
         }
     }
     coverShapes(bits, world);
+    coverMatter(bits, world);
     return bits;
 }
 

@@ -56,13 +56,23 @@ std::vector<gpu::vec4> placesOf(const World& world)
     return places;
 }
 
+/// A bit per particle that is drawn as a grain.
+std::vector<uint32_t> grainBits(const World& world)
+{
+    std::vector<uint32_t> bits(world.particles.size() / 32 + 1, 0);
+    for (const ParticleRange& range : world.drawn.grains)
+        for (uint32_t grain = range.first; grain < range.end; ++grain) bits[grain / 32] |= 1u << grain % 32;
+    return bits;
+}
+
 }  // namespace
 
 SpherePass::SpherePass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings,
                        const RenderTargets& targets)
-    : colors_("sphereColors", particleColors(world, settings))
+    : colors_("sphereColors", particleColors(world, settings)),
+      grains_("grainParticles", std::span<const uint32_t>(grainBits(world)))
 {
-    table.add(Lifetime::Constant, colors_);
+    table.add(Lifetime::Constant, colors_, grains_);
     const Defines patterns = Finishes(world).patternDefines();
     const std::vector<gpu::vec4> places = patterns.empty() ? std::vector<gpu::vec4>() : placesOf(world);
     places_ = {"spherePlaces", std::span<const gpu::vec4>(places)};
@@ -74,18 +84,19 @@ SpherePass::SpherePass(const Gpu& gpu, BufferTable& table, const World& world, c
         const auto pass = [&](const char* vertex, const char* fragment, const Framebuffer& target) {
             return apart ? DrawPass(gpu, table, {vertex, fragment, defines},
                                     {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
-                                     "sphereColors", "spherePlaces", "finishes", "bodyRotations", "fluidMaterials"},
+                                     "sphereColors", "spherePlaces", "grainParticles", "finishes", "bodyRotations",
+                                     "fluidMaterials"},
                                     target)
                          : DrawPass(gpu, table, {vertex, fragment, defines},
                                     {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
-                                     "sphereColors", "spherePlaces", "finishes", "bodyRotations"},
+                                     "sphereColors", "spherePlaces", "grainParticles", "finishes", "bodyRotations"},
                                     target);
         };
         return Passes{pass("spheres/sphere", "spheres/sphere", targets.geometry),
                       pass("spheres/sphere_quad", "spheres/sphere", targets.geometry),
                       pass("spheres/sphere_shadow", "spheres/sphere_shadow", targets.shadowMap)};
     };
-    all_ = passes({}, false);
+    all_ = passes(world.drawn.grains.empty() ? Defines{} : Defines{{"GRAINS", "1"}}, false);
     if (targets.hasSurfaces() && drawsFluids(world, settings, DrawnAs::Particles))
         beads_ = passes({{"BEADS", "1"}}, true);
 }

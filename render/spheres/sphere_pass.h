@@ -31,6 +31,7 @@ private:
 
     Buffer<uint32_t> colors_;
     Buffer<gpu::vec4> places_;  ///< In their bodies; empty without patterns.
+    Buffer<uint32_t> grains_;   ///< A bit per particle.
     Passes all_;
     std::optional<Passes> beads_;  ///< Of fluids, if others of them are drawn as surfaces.
 };

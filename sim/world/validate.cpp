@@ -243,6 +243,7 @@ void validate(const World& world)
     validateGrids(world);
     validateSkins(world);
     validateBodyShapes(world);
+    validateDrawnMatter(world);
     for (const ParticleRange& range : world.unseen)
         require(range.first <= range.end && range.end <= world.particles.size(),
                 "unseen particles {} to {}: there are not so many", range.first, range.end);

@@ -18,6 +18,7 @@
 #include "sim/world/joint/gear.h"
 #include "sim/world/joint/joint.h"
 #include "sim/world/matter/body_shape.h"
+#include "sim/world/matter/drawn_matter.h"
 #include "sim/world/matter/emitter.h"
 #include "sim/world/matter/finish.h"
 #include "sim/world/matter/fluid_look.h"
@@ -140,10 +141,6 @@ struct LooseGroup {
     uint32_t first = 0, end = 0;  ///< Particles.
 };
 
-struct ParticleRange {
-    uint32_t first = 0, end = 0;
-};
-
 /// An obstacle: it stays in place, or moves as World::colliderMotions say, and answers to nothing.
 struct Collider : Region {
     uint32_t grid = NO_INDEX;  ///< Mesh and heightfield: index into World::colliderGrids.
@@ -193,6 +190,7 @@ struct World {
     std::vector<ColliderGrid> colliderGrids;
     std::vector<Skin> skins;            ///< Only drawn.
     std::vector<BodyShape> bodyShapes;  ///< Only drawn.
+    DrawnMatter drawn;                  ///< Only drawn.
     std::vector<ParticleRange> unseen;  ///< Not drawn, and nothing that an automatic camera looks at.
     uint32_t assemblyCount = 0;
     /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.

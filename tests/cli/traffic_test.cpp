@@ -195,11 +195,12 @@ TEST_P(TrafficOf, AFilmUploadsItsWorldOnceAndReadsBackPicturesOnly)
     EXPECT_TRUE(here == aside) << "the pictures differ";
 }
 
-// Particles that flow out of emitters exist from the start; blows, touches, drives, catches, moving colliders and
-// bodies' shapes need no host.
+// Particles that flow out of emitters exist from the start; blows, touches, drives, catches, moving colliders, bodies'
+// shapes, and the surfaces of cloth, ropes and soft bodies need no host.
 INSTANTIATE_TEST_SUITE_P(Scenes, TrafficOf,
                          testing::Values("ragdoll.json", "fountain.json", "dance.json", "troupe.json", "wade.json",
-                                         "struck.json", "hit.json", "catch.json", "mill.json", "rocker.json"),
+                                         "struck.json", "hit.json", "catch.json", "mill.json", "rocker.json",
+                                         "drape.json", "jelly.json"),
                          [](const auto& scene) { return std::string(scene.param, strchr(scene.param, '.')); });
 
 }  // namespace

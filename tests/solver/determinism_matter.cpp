@@ -31,7 +31,7 @@ World ropeWorld()
     ClothSpec spec;
     spec.tearForce = 2000.0f;
     spec.bendCompliance = 0.01f;
-    const GridSheet sheet = gridSheet(1.2f, 1.0f, DIAMETER, spec);
+    const ClothSheet sheet = gridSheet(1.2f, 1.0f, DIAMETER, spec);
     const std::vector<uint32_t> held = {0, sheet.columns - 1, sheet.columns * (sheet.rows - 1)};
     builder.addCollider({});
     addCloth(builder, "cloth", sheet, spec, held, {}, {Vector3f(0, 1, 0)});
@@ -127,7 +127,7 @@ World windyWorld()
     blast.kind = FieldKind::Swirl;
     builder.addForceField(blast);
     ClothSpec spec;
-    const GridSheet sheet = gridSheet(0.9f, 0.8f, DIAMETER, spec);
+    const ClothSheet sheet = gridSheet(0.9f, 0.8f, DIAMETER, spec);
     addCloth(builder, "cloth", sheet, spec, std::vector<uint32_t>{0, sheet.columns - 1}, {}, {Vector3f(0, 1, 0)});
     for (int k = 0; k < 5; ++k) {
         builder.beginObject("box");

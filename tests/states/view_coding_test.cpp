@@ -72,6 +72,9 @@ protected:
         EXPECT_TRUE(sameBits(back.colliderPlaces, view.colliderPlaces, 4));
         EXPECT_TRUE(sameBits(back.foamPlaces, view.foamPlaces, 4));
         EXPECT_EQ(back.torn, view.torn);
+        // Whole words are stored; nothing, if none is torn.
+        for (size_t i = 0; i < view.tornDistances.size(); ++i)
+            EXPECT_EQ(i < back.tornDistances.size() && back.tornDistances[i], view.tornDistances[i]) << i;
     }
 
     World world;
@@ -86,6 +89,7 @@ TEST_F(ViewCodingTest, KeepsEveryBit)
         ViewState view = posed(world, random);
         if (round % 2 == 1)
             for (size_t p = 0; p < world.particles.size(); ++p) view.torn.push_back(random() % 3 == 0);
+        for (int k = 0; k < 7 * round; ++k) view.tornDistances.push_back(random() % 5 == 0);
         for (gpu::vec4& position : view.positions) position.w = random() % 2 == 0 ? 1.0f : 0.0f;
         for (int k = 0; k < round; ++k) view.foamPlaces.push_back({1.0f / float(k), -float(k), 0.1f, 0.3f * float(k)});
         expectSame(view);

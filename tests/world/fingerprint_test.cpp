@@ -263,7 +263,8 @@ const std::vector<Field>& looks()
                                          FIELD(colliderGrids[0].vertices),
                                          FIELD(colliderGrids[0].triangles),
                                          FIELD(skins),
-                                         FIELD(bodyShapes)};
+                                         FIELD(bodyShapes),
+                                         FIELD(drawn.ropes)};
     return LIST;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/scene/matter/scene_fill.h"
+#include "app/scene/scene_draw.h"
 #include "sim/world/matter/grain.h"
 
 namespace knuckle {
@@ -41,6 +42,7 @@ void addGrains(const ObjectEntry& entry)
     if (jitter > 0.0f) shiftLayers(lattice, spacing);
     uint32_t seed = object["seed"];
     const bool impulses = builder.world().settings.solver == SolverKind::Impulse;  // the paper's has one size
+    const bool drawn = isDrawnAs(entry, DrawnAs::Shape, "a grain");
     Particle grain;
     grain.velocity = entry.velocity;
     grain.material = entry.material;
@@ -54,6 +56,7 @@ void addGrains(const ObjectEntry& entry)
             grain.position = grain.restPosition = entry.poses[copy].apply(position);
             builder.addLooseParticle(grain);
         }
+        if (drawn) builder.drawGrains(first);
         builder.nameLoose(entry.copyName(copy), first);
     }
 }

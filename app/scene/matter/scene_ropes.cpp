@@ -7,6 +7,7 @@
 
 #include "app/json/fields.h"
 #include "app/scene/matter/scene_fill.h"
+#include "app/scene/scene_draw.h"
 #include "app/scene/scene_limits.h"
 #include "sim/base/errors.h"
 #include "sim/world/builder/parts/cloth.h"
@@ -92,6 +93,7 @@ void addRopes(const ObjectEntry& entry)
     common.tearForce = readUnlessZero(entry.json["tearForce"]);
     common.material = entry.material;
     common.velocity = entry.velocity;
+    common.drawn = isDrawnAs(entry, DrawnAs::Shape, "a rope");
     limitParticles(entry, std::max(common.length, (to - from).norm()) / entry.context.builder.diameter());
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
         RopeSpec spec = common;
@@ -106,7 +108,7 @@ void addRopes(const ObjectEntry& entry)
 }
 
 /// The nodes for a word of `hold`: an edge, a corner as two edges ("nearLeft"), or all edges or corners.
-void holdNodes(const GridSheet& sheet, const std::string& word, std::vector<uint32_t>& held)
+void holdNodes(const ClothSheet& sheet, const std::string& word, std::vector<uint32_t>& held)
 {
     const auto has = [&](const char* edge) { return word.find(edge) != std::string::npos; };
     const bool left = has("eft"), right = has("ight"), near = has("near"), far = has("far");
@@ -152,6 +154,7 @@ void addCloths(const ObjectEntry& entry)
     spec.bendCompliance = readBendCompliance(json);
     spec.tearForce = readUnlessZero(json["tearForce"]);
     spec.material = entry.material;
+    spec.drawn = isDrawnAs(entry, DrawnAs::Surface, "cloth");
     if (!json["file"].get<std::string>().empty()) {
         if (!json["hold"].empty()) entry.fail("/hold", "a model has no edges by these names; use pins instead");
         const auto model = entry.context.files.model(
@@ -164,7 +167,7 @@ void addCloths(const ObjectEntry& entry)
     spec.shearCompliance = json["shearCompliance"];
     const float width = json["size"][0], depth = json["size"][1];
     limitParticles(entry, (width / diameter + 1.0) * (depth / diameter + 1.0));
-    const GridSheet sheet = gridSheet(width, depth, diameter, spec);
+    const ClothSheet sheet = gridSheet(width, depth, diameter, spec);
     std::vector<uint32_t> held;
     for (const Json& word : json["hold"]) holdNodes(sheet, word, held);
     placeCloth(entry, sheet, spec, held);

@@ -9,6 +9,9 @@ flat in vec4 placeInBody;
 flat in vec4 bodyTurn;
 flat in uint patternSeed;
 #endif
+#ifdef GRAINS
+#include "render/spheres/grain_hit.glsl"
+#endif
 
 flat in vec4 sphere;
 flat in float radius;
@@ -19,7 +22,13 @@ layout(depth_greater) out float gl_FragDepth;
 void main()
 {
     SphereHit hit;
-    if (!sphereHit(sphere.xyz, radius, gl_FragCoord.xy, hit)) discard;
+#ifdef GRAINS
+    bool isHit = grainRadii.w == 1.0 ? grainHit(sphere.xyz, gl_FragCoord.xy, hit)
+                                     : sphereHit(sphere.xyz, radius, gl_FragCoord.xy, hit);
+#else
+    bool isHit = sphereHit(sphere.xyz, radius, gl_FragCoord.xy, hit);
+#endif
+    if (!isHit) discard;
     uint word = floatBitsToUint(sphere.w);
 #ifdef PATTERNS
     vec3 arm = rotate(conjugate(bodyTurn), directionToWorld(hit.normal) * radius);

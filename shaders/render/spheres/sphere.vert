@@ -6,6 +6,9 @@
 #ifdef PATTERNS
 #include "render/spheres/sphere_place.glsl"
 #endif
+#ifdef GRAINS
+#include "render/spheres/grain_look.glsl"
+#endif
 
 uniform usamplerBuffer sphereList;
 uniform samplerBuffer positions;
@@ -16,12 +19,16 @@ flat out float radius;
 void main()
 {
     int particle = int(texelFetch(sphereList, gl_VertexID).x);
-    vec3 centre = toView(texelFetch(positions, particle).xyz);
+    vec3 place = texelFetch(positions, particle).xyz, centre = toView(place);
     radius = drawnRadius(uint(particle));
+    uint color = sphereColor(particle);
+#ifdef GRAINS
+    radius *= lookOfGrain(uint(particle), place, radius, color);
+#endif
     float aspect = float(frame.width) / float(frame.height);
     vec4 bounds = sphereBounds(centre, radius, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
     vec2 size = 0.5 * (bounds.zw - bounds.xy) * vec2(frame.width, frame.height);
-    sphere = vec4(centre, uintBitsToFloat(sphereColor(particle)));
+    sphere = vec4(centre, uintBitsToFloat(color));
     gl_PointSize = max(size.x, size.y) + 1.0;
     gl_Position = vec4(0.5 * (bounds.xy + bounds.zw), 2.0 * (-centre.z - radius) / frame.farDepth - 1.0, 1.0);
 #ifdef PATTERNS

@@ -6,6 +6,9 @@
 #ifdef PATTERNS
 #include "render/spheres/sphere_place.glsl"
 #endif
+#ifdef GRAINS
+#include "render/spheres/grain_look.glsl"
+#endif
 
 uniform usamplerBuffer sphereList;
 uniform samplerBuffer positions;
@@ -16,12 +19,16 @@ flat out float radius;
 void main()
 {
     uint particle = texelFetch(sphereList, gl_VertexID / QUAD_CORNERS).x;
-    vec3 centre = toView(texelFetch(positions, int(particle)).xyz);
+    vec3 where = texelFetch(positions, int(particle)).xyz, centre = toView(where);
     radius = drawnRadius(particle);
+    uint color = sphereColor(int(particle));
+#ifdef GRAINS
+    radius *= lookOfGrain(particle, where, radius, color);
+#endif
     float aspect = float(frame.width) / float(frame.height);
     vec4 bounds = sphereBounds(centre, radius, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
     float nearest = max(-centre.z - radius, 0.0);
-    sphere = vec4(centre, uintBitsToFloat(sphereColor(int(particle))));
+    sphere = vec4(centre, uintBitsToFloat(color));
     const int CORNERS[QUAD_CORNERS] = int[QUAD_CORNERS](0, 1, 2, 2, 1, 3);
     int place = CORNERS[gl_VertexID % QUAD_CORNERS];
     vec2 corner = vec2(place & 1, place >> 1);

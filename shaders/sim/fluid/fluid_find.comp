@@ -5,16 +5,11 @@
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/grid.glsl"
 #include "sim/fluid/fluid_slots.glsl"
-#include "sim/fluid/neighbour_search.glsl"
-#ifdef SOLIDS
 #include "sim/fluid/near_solids.glsl"
-#endif
+#include "sim/fluid/neighbour_search.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer fluidSearchPositions;
-#ifdef SOLIDS
-uniform usamplerBuffer fluidNearSolids;
-#endif
 BUFFER(uvec2, SlotCounts, newSlotCounts);
 UINT_TEXELS(newSlotNeighbours)
 BUFFER(Counters, CountersBlock, counters);
@@ -62,17 +57,6 @@ void listSolids(uint k, uint slots, inout NeighbourCounts counts, inout uvec4 fo
         solids[range] = bits & bits - 1u;
         if (solids[range] == 0u) ranges &= ranges - 1u;
     }
-}
-
-/// How far particles around are looked for, squared, in cells: among themselves fluids do not reach as far.
-float reachOf(vec3 at)
-{
-#ifdef SOLIDS
-    uvec2 place = nearSolidsBit(cellIndex(ivec3(floor(at))));
-    if ((texelFetch(fluidNearSolids, int(place.x)).x & place.y) != 0u) return 1.0;
-#endif
-    float reach = sim.fluidReach * sim.inverseFluidCell;
-    return reach * reach;
 }
 
 void main()

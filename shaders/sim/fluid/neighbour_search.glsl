@@ -69,7 +69,8 @@ uvec2 rowNear(vec3 at, float within, int range)
 uint firsts[AROUND_RANGES], fluids[AROUND_RANGES], solids[AROUND_RANGES];
 
 /// The candidates from `batch` on of all rows around slot k.
-/// @param within  As rowNear() has it  @param more  Whether more candidates follow. @returns how many of these are neighbours.
+/// @param within  As rowNear() has it  @param more  Whether more candidates follow.
+/// @returns how many of these are neighbours.
 uint findBatch(Seeker seeker, vec3 at, float within, uint k, uint slots, uint batch, out bool more)
 {
     uint found = 0u;

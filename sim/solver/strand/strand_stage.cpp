@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
-#include <numeric>
 
 namespace knuckle {
 
@@ -20,30 +19,6 @@ constexpr float MOST_STIFFNESS = 0.3f;       // of the load: beyond it, few iter
 constexpr float LEAST_STIFFNESS = 30.0f;     // of the node: ropes without loads
 
 constexpr float NEVER = std::numeric_limits<float>::max();
-
-/// Whether it is uploaded in reverse: elimination begins at a strand's end, which should be free.
-bool isReversed(const World& world, const Strand& strand)
-{
-    return isFixed(world, world.particles[strand.particles.back()]);
-}
-
-/// Per strand, its colour: the first in which no strand shares a moving particle with it.
-std::vector<uint32_t> colorsOf(const World& world)
-{
-    std::vector<std::vector<uint32_t>> taken(world.particles.size());
-    std::vector<uint32_t> colors;
-    for (const Strand& strand : world.strands) {
-        std::vector<uint32_t> others;
-        for (uint32_t particle : strand.particles)
-            others.insert(others.end(), taken[particle].begin(), taken[particle].end());
-        uint32_t color = 0;
-        while (std::find(others.begin(), others.end(), color) != others.end()) ++color;
-        for (uint32_t particle : strand.particles)
-            if (!isFixedForEver(world, world.particles[particle])) taken[particle].push_back(color);
-        colors.push_back(color);
-    }
-    return colors;
-}
 
 /// Per body, how many ends and nodes of strands are its particles: its mass is split over them.
 std::vector<uint32_t> nodeCounts(const World& world)
@@ -138,23 +113,15 @@ StrandStage::StrandStage(const StageSetup& setup)
 void StrandStage::upload(const StageSetup& setup)
 {
     const World& world = setup.world;
-    const std::vector<uint32_t> colors = colorsOf(world), counts = nodeCounts(world);
-    std::vector<uint32_t> order(world.strands.size());
-    std::iota(order.begin(), order.end(), 0u);
-    // In each colour the long ones come first, so that the threads of a vector do equal work.
-    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-        if (colors[a] != colors[b]) return colors[a] < colors[b];
-        return world.strands[a].particles.size() > world.strands[b].particles.size();
-    });
+    const std::vector<uint32_t> counts = nodeCounts(world);
+    order_ = strandOrder(world);
     Uploads uploads;
-    starts_.resize(world.strands.size());
-    for (uint32_t index : order) {
-        if (colors_.size() <= colors[index])
+    for (uint32_t index : order_.strands) {
+        if (colors_.size() <= order_.colors[index])
             colors_.push_back({static_cast<uint32_t>(uploads.strands.size()), 0, false});
         Color& color = colors_.back();
-        starts_[index] = static_cast<uint32_t>(uploads.nodes.size());
         Strand strand = world.strands[index];
-        if (isReversed(world, strand)) {
+        if (order_.reversed[index]) {
             std::reverse(strand.particles.begin(), strand.particles.end());
             std::reverse(strand.restLengths.begin(), strand.restLengths.end());
             std::swap(strand.startRelease, strand.endRelease);
@@ -179,10 +146,10 @@ void StrandStage::uploadRopes(const StageSetup& setup, const std::vector<gpu::uv
     const World& world = setup.world;
     const std::vector<bool> ofRope = ofRopes(world);
     std::vector<uint32_t> own, movers(setup.layout.moverCount(), 0);
-    for (size_t s = 0; s < starts_.size(); ++s) {
+    for (size_t s = 0; s < order_.starts.size(); ++s) {
         if (world.strands[s].kind != DistanceKind::Stretch) continue;
         for (size_t k = 0; k < world.strands[s].particles.size(); ++k) {
-            const auto node = static_cast<uint32_t>(starts_[s] + k);
+            const auto node = static_cast<uint32_t>(order_.starts[s] + k);
             if (!ofRope[nodes[node].z]) continue;
             own.push_back(node);
             movers[nodes[node].x] = node + 1;
@@ -245,8 +212,7 @@ std::vector<bool> StrandStage::tornDistances(const World& world) const
 
 size_t StrandStage::stateOf(const World& world, size_t strand, size_t distance) const
 {
-    const Strand& own = world.strands[strand];
-    return starts_[strand] + (isReversed(world, own) ? own.restLengths.size() - 1 - distance : distance);
+    return order_.stateOf(world, strand, distance);
 }
 
 }  // namespace knuckle

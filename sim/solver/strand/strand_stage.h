@@ -2,6 +2,7 @@
 
 #include "sim/solver/measure/measure.h"
 #include "sim/solver/stage.h"
+#include "sim/solver/strand/strand_order.h"
 
 namespace knuckle {
 
@@ -60,7 +61,7 @@ private:
     float contactStiffness_ = 0.0f,
           contactHold_ = 0.0f;  ///< Per mass of a node: along the normal, and where it sticks.
     std::vector<Color> colors_;
-    std::vector<uint32_t> starts_;  ///< Per strand of the World, its first node; its last if that is fixed.
+    StrandOrder order_;
     Defines plain_ = definesOf({{"HEAVY", heavy_}, {"CONTACTS", touches_}});
     Defines firsts_ = with(letsGo_ ? with(plain_, "LETS_GO") : plain_, "FIRST_ITERATION");
     Pass first_{*this, "strand/strand_solve", firsts_};

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "sim/world/builder/world_draft.h"
 
@@ -22,6 +23,13 @@ public:
     void nameLoose(std::string name, uint32_t first);
     /// Distances between particles that exist: see addRope() and addCloth().
     void addStrand(Strand row);
+    /// What is drawn of matter that exists otherwise than as spheres (World::drawn).
+    void drawCloth(ClothSurface sheet) { world_.drawn.cloth.push_back(std::move(sheet)); }
+    /// Draws the strand that was added last as a tube.
+    void drawRope() { world_.drawn.ropes.push_back(static_cast<uint32_t>(world_.strands.size() - 1)); }
+    void drawSoft(SoftSurface surface) { world_.drawn.soft.push_back(std::move(surface)); }
+    /// Draws the loose particles from `first` up to now as grains.
+    void drawGrains(uint32_t first) { world_.drawn.grains.push_back({first, particleCount()}); }
     /// A triangle of cloth, for the air. @param corners particles.
     void addClothTriangle(const std::array<uint32_t, 3>& corners) { world_.clothTriangles.push_back(corners); }
 };

@@ -85,7 +85,7 @@ TEST(Cloth, CarriesACubeAndLetsNothingThrough)
 {
     WorldBuilder builder = makeBuilder();
     ClothSpec spec;
-    const GridSheet sheet = gridSheet(SIDE, SIDE, DIAMETER, spec);
+    const ClothSheet sheet = gridSheet(SIDE, SIDE, DIAMETER, spec);
     std::vector<uint32_t> held;
     for (uint32_t i : {0u, sheet.columns - 1}) {
         held.push_back(i);
@@ -112,7 +112,7 @@ World cubeIntoSheet()
     const uint32_t cube = builder.addMaterial(iron);
     ClothSpec spec;
     spec.material = builder.addMaterial(canvas);
-    const GridSheet sheet = gridSheet(2 * SIDE, 2 * SIDE, DIAMETER, spec);
+    const ClothSheet sheet = gridSheet(2 * SIDE, 2 * SIDE, DIAMETER, spec);
     std::vector<uint32_t> edges;
     for (uint32_t i = 0; i < sheet.nodes.size(); ++i)
         if (sheet.nodes[i].cwiseAbs().maxCoeff() > 0.999f * SIDE) edges.push_back(i);

@@ -48,7 +48,7 @@ World ropeWorld()
     addRope(builder, "held at its end", ahead);
     ClothSpec spec;
     spec.bendCompliance = 1e-2f;
-    const GridSheet sheet = gridSheet(0.6f, 0.4f, DIAMETER, spec);
+    const ClothSheet sheet = gridSheet(0.6f, 0.4f, DIAMETER, spec);
     const Pose pose{at(cubes[2]) + Vector3f(0, 0.08f, 0) - sheet.nodes[0]};
     const std::vector<uint32_t> held = {static_cast<uint32_t>(sheet.nodes.size()) - 1};
     const std::vector<ClothTie> ties = {{0, cubes[2]}};

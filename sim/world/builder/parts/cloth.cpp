@@ -14,7 +14,7 @@ namespace {
 /// Rows of a grid of nodes, as strands.
 class GridStrands {
 public:
-    GridStrands(GridSheet& sheet, const ClothSpec& spec)
+    GridStrands(ClothSheet& sheet, const ClothSpec& spec)
         : sheet_(sheet), spec_(spec), columns_(static_cast<int>(sheet.columns)), rows_(static_cast<int>(sheet.rows))
     {
     }
@@ -55,7 +55,7 @@ private:
         if (row.particles.size() > 1) sheet_.strands.push_back(std::move(row));
     }
 
-    GridSheet& sheet_;
+    ClothSheet& sheet_;
     const ClothSpec& spec_;
     int columns_, rows_;
 };
@@ -82,11 +82,11 @@ void addTie(WorldBuilder& builder, const ClothSpec& spec, uint32_t node, uint32_
 
 }  // namespace
 
-GridSheet gridSheet(float width, float depth, float diameter, const ClothSpec& spec)
+ClothSheet gridSheet(float width, float depth, float diameter, const ClothSpec& spec)
 {
     const uint32_t across = cellsOf(width, diameter), along = cellsOf(depth, diameter);
     const float stepX = width / static_cast<float>(across), stepZ = depth / static_cast<float>(along);
-    GridSheet sheet;
+    ClothSheet sheet;
     sheet.columns = across + 1;
     sheet.rows = along + 1;
     for (uint32_t j = 0; j <= along; ++j)
@@ -134,6 +134,7 @@ uint32_t addCloth(WorldBuilder& builder, const std::string& name, const ClothShe
         builder.addStrand(std::move(row));
     }
     for (const auto& [a, b, c] : sheet.triangles) builder.addClothTriangle({particles[a], particles[b], particles[c]});
+    if (spec.drawn) builder.drawCloth({particles, sheet.triangles, sheet.columns, sheet.rows});
     for (const ClothTie& tie : ties) addTie(builder, spec, particles.at(tie.node), tie.particle);
     return object;
 }

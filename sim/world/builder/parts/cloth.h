@@ -18,6 +18,7 @@ struct ClothSpec {
     float bendCompliance = std::numeric_limits<float>::infinity();  ///< Between second neighbours; infinite: limp.
     float tearForce = std::numeric_limits<float>::infinity();       ///< Of each distance [N], > 0.
     uint32_t material = 0;                                          ///< Cloth weighs density x diameter x area.
+    bool drawn = false;                                             ///< As a surface (World::drawn).
 };
 
 /// Cloth before it is placed.
@@ -26,6 +27,7 @@ struct ClothSheet {
     std::vector<float> areas;                        ///< Of each node: its share of the sheet [m2].
     std::vector<Strand> strands;                     ///< Of indices into nodes.
     std::vector<std::array<uint32_t, 3>> triangles;  ///< The same.
+    uint32_t columns = 0, rows = 0;                  ///< Of a grid of nodes; 0: it is none.
 };
 
 /// A node of cloth tied to a particle that exists.
@@ -36,10 +38,7 @@ struct ClothTie {
 
 /// A rectangle in the x-z plane about the origin: rows along x, columns along z, spaced by a diameter or a little less.
 /// Node k of row j (z grows with j) is nodes[j * columns + k]. @param width, depth along x and z [m], > 0.
-struct GridSheet : ClothSheet {
-    uint32_t columns = 0, rows = 0;
-};
-GridSheet gridSheet(float width, float depth, float diameter, const ClothSpec& spec);
+ClothSheet gridSheet(float width, float depth, float diameter, const ClothSpec& spec);
 
 /// A sheet of triangles: coincident vertices are merged, edges longer than a diameter are halved. Edges are joined to
 /// rows as straight as possible; triangles give shear, the corners opposite each edge bending.

@@ -149,6 +149,7 @@ private:
         row.startRelease = spec_.start.releaseTime;
         row.endRelease = spec_.end.releaseTime;
         builder_.addStrand(row);
+        if (spec_.drawn) builder_.drawRope();
         if (!std::isfinite(spec_.bendCompliance)) return;
         for (uint32_t first = 0; first < 2 && first + 2 <= count_; ++first) {
             Strand bend;

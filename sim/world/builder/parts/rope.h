@@ -28,6 +28,7 @@ struct RopeSpec {
     float tearForce = std::numeric_limits<float>::infinity();       ///< [N], > 0.
     uint32_t material = 0;                                          ///< It weighs density x diameter^2 x length.
     Vector3f velocity{0, 0, 0};                                     ///< [m/s]
+    bool drawn = false;                                             ///< As a tube (World::drawn).
 };
 
 /// Adds a rope as an object. @returns the object's index.
