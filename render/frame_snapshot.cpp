@@ -10,14 +10,18 @@ namespace knuckle {
 namespace {
 
 /// Copies into `copy`, which is made on first use. @returns its name.
-GLuint copyVectors(GLuint source, uint32_t count, RawBuffer& copy, const char* label)
+GLuint copyBytes(GLuint source, size_t bytes, RawBuffer& copy, const char* label)
 {
-    const size_t bytes = count * sizeof(gpu::vec4);
     if (copy.id() == 0) copy = RawBuffer(label, bytes);
     glBindBuffer(GL_COPY_READ_BUFFER, source);
     glBindBuffer(GL_COPY_WRITE_BUFFER, copy.id());
     if (bytes > 0) glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
     return copy.id();
+}
+
+GLuint copyVectors(GLuint source, uint32_t count, RawBuffer& copy, const char* label)
+{
+    return copyBytes(source, count * sizeof(gpu::vec4), copy, label);
 }
 
 }  // namespace
@@ -62,6 +66,8 @@ void FrameSnapshot::take(const ParticleView& view)
     view_.bodyRotations = copyVectors(view.bodyRotations, rotations, rotations_, "drawn rotations");
     view_.colliderPlaces = copyVectors(view.colliderPlaces, 2 * view.colliderCount, colliders_, "drawn colliders");
     view_.foamPlaces = copyVectors(view.foamPlaces, view.foamCount, foam_, "drawn foam");
+    if (view.fluidForms != 0)
+        view_.fluidForms = copyBytes(view.fluidForms, view.particleCount * sizeof(uint32_t), forms_, "drawn forms");
     view_.distanceStates = copyVectors(view.distanceStates, view.distanceCount, distances_, "drawn distances");
     taken_.set();
 }

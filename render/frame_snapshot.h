@@ -36,7 +36,7 @@ private:
     };
 
     bool showsSpeeds_, showsRotations_, showsCentres_;
-    RawBuffer positions_, velocities_, centres_, rotations_, colliders_, foam_, distances_;
+    RawBuffer positions_, velocities_, centres_, rotations_, colliders_, foam_, forms_, distances_;
     ParticleView view_;
     Fence taken_, drawn_;
 };

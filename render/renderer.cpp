@@ -22,6 +22,7 @@
 #include "render/view/framed_sets.h"
 #include "render/view/view_passes.h"
 #include "sim/base/errors.h"
+#include "sim/solver/fluid/form_stage.h"
 #include "sim/solver/strand/strand_order.h"
 
 namespace knuckle {
@@ -64,6 +65,8 @@ struct Renderer::Impl {
     RawBuffer positions, velocities, bodyCentres, bodyRotations, colliderPlaces;  ///< Stand in for the view's.
     RawBuffer foamPlaces;                                                         ///< The same.
     uint32_t foamCount = 0;
+    RawBuffer fluidForms;              ///< Stands in for the view's.
+    Buffer<uint32_t> balls;            ///< In its place where a view has none.
     Buffer<gpu::vec4> wholeDistances;  ///< Where a view has none of its own.
     RawBuffer distanceStates;          ///< Stands in for the view's.
     RenderTargets targets;
@@ -93,6 +96,7 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
       framedParticles("framedParticles", std::span<const uint32_t>(framed.words)),
       planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))),
+      balls("balls", FormStage::isNeeded(world) ? world.particles.size() : 0),
       wholeDistances("wholeDistances", canTear(world) ? strandOrder(world).nodeCount : 0),
       targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface),
               settings.background == Background::Transparent),
@@ -121,6 +125,7 @@ BufferTable& Renderer::Impl::addInputs()
     table.add("bodyRotations", bodyRotations, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("colliderPlaces", colliderPlaces, elementType<gpu::vec4>(), Lifetime::Scratch);
     table.add("foamPlaces", foamPlaces, elementType<gpu::vec4>(), Lifetime::Scratch);
+    table.add("fluidForms", fluidForms, elementType<uint32_t>(), Lifetime::Scratch);
     table.add("distanceStates", distanceStates, elementType<gpu::vec4>(), Lifetime::Scratch);
     return table;
 }
@@ -140,6 +145,8 @@ void Renderer::Impl::attach(const ParticleView& shown)
                                         size_t{2} * shown.colliderCount * sizeof(gpu::vec4));
     foamCount = shown.foamCount;
     foamPlaces = RawBuffer::standIn("foamPlaces", shown.foamPlaces, foamCount * sizeof(gpu::vec4));
+    fluidForms = RawBuffer::standIn("fluidForms", shown.fluidForms != 0 ? shown.fluidForms : balls.id(),
+                                    balls.size() * sizeof(uint32_t));
     const bool tears = shown.distanceStates != 0;
     distanceStates = RawBuffer::standIn("distanceStates", tears ? shown.distanceStates : wholeDistances.id(),
                                         (tears ? shown.distanceCount : wholeDistances.size()) * sizeof(gpu::vec4));

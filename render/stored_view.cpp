@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "sim/solver/fluid/foam_stage.h"
+#include "sim/solver/fluid/form_stage.h"
 #include "sim/solver/strand/strand_order.h"
 
 namespace knuckle {
@@ -13,7 +14,8 @@ StoredView::StoredView(const World& world)
       velocities_("stored velocities", world.particles.size()), centres_("stored centres", world.bodies.size()),
       rotations_("stored rotations", world.bodies.size()), colliders_("stored colliders", 2 * world.colliders.size()),
       foam_("stored foam", FoamStage::capacity(world)),
-      distances_("stored distances", canTear(world) ? strandOrder(world).nodeCount : 0)
+      distances_("stored distances", canTear(world) ? strandOrder(world).nodeCount : 0),
+      forms_("stored forms", FormStage::isNeeded(world) ? world.particles.size() : 0)
 {
 }
 
@@ -34,6 +36,11 @@ ParticleView StoredView::upload(const ViewState& state)
     const std::vector<gpu::vec4> none(foam_.size());
     view.foamPlaces = fill(foam_, state.foamPlaces.empty() ? none : state.foamPlaces);
     view.foamCount = static_cast<uint32_t>(foam_.size());
+    if (!state.fluidForms.empty()) {
+        if (state.fluidForms.size() != forms_.size()) throw std::logic_error("the stored forms are of another world");
+        forms_.upload(state.fluidForms);
+        view.fluidForms = forms_.id();
+    }
     // None is stored where none is torn; bits are stored in whole words.
     std::vector<gpu::vec4> distances(distances_.size());
     for (size_t i = 0; i < std::min(distances.size(), state.tornDistances.size()); ++i)

@@ -18,6 +18,7 @@ public:
 private:
     const World& world_;
     Buffer<gpu::vec4> positions_, velocities_, centres_, rotations_, colliders_, foam_, distances_;
+    Buffer<uint32_t> forms_;
 };
 
 }  // namespace knuckle

@@ -159,6 +159,7 @@ std::vector<std::string> ViewCoding::pack(uint64_t frame, const ViewState& view)
     blocks.push_back(packWords(frame, "inactive", bitsOf(particles_, isInactive)));
     blocks.push_back(packWords(frame, "torn", bitsOf(view.torn.size(), [&](size_t p) { return view.torn[p]; })));
     if (!view.foamPlaces.empty()) blocks.push_back(packWords(frame, "foam", toWords<4>(view.foamPlaces)));
+    if (!view.fluidForms.empty()) blocks.push_back(packWords(frame, "forms", view.fluidForms));
     if (std::ranges::find(view.tornDistances, true) != view.tornDistances.end())
         blocks.push_back(packWords(frame, "tornDistances",
                                    bitsOf(view.tornDistances.size(), [&](size_t i) { return view.tornDistances[i]; })));
@@ -187,6 +188,7 @@ ViewState ViewCoding::unpack(const BlockReader& file, uint64_t frame) const
     for (size_t p = 0; p < particles_; ++p) view.positions[p].w = bitOf(inactive, p) ? 1.0f : 0.0f;
     if (file.has(frameBlock(frame, "foam")))
         view.foamPlaces = fromWords<4>(file.readArray<uint32_t>(frameBlock(frame, "foam")));
+    if (file.has(frameBlock(frame, "forms"))) view.fluidForms = words("forms", particles_);
     if (file.has(frameBlock(frame, "tornDistances"))) {
         const Words bits = file.readArray<uint32_t>(frameBlock(frame, "tornDistances"));
         for (size_t i = 0; i < 32 * bits.size(); ++i) view.tornDistances.push_back(bitOf(bits, i));

@@ -22,6 +22,7 @@ struct ParticleView {
     float fluidSpacing = 0.05f;         ///< Rest distance of fluid particles [m].
     GLuint foamPlaces = 0;              ///< foamCount x vec4: xyz [m], w: opacity of a point of foam, 0: none is there.
     uint32_t foamCount = 0;
+    GLuint fluidForms = 0;  ///< particleCount x uint: spheroids of fluid particles (math/spheroid.glsl); 0: none are.
     GLuint distanceStates = 0;  ///< distanceCount x vec4, distances of ropes and cloth in the order of
                                 ///< strandOrder(): z: 1 if torn. 0: none can tear.
     uint32_t distanceCount = 0;

@@ -126,6 +126,7 @@ ParticleView Solver::view() const
     view.fluidSpacing = impl_->world.fluidSpacing;
     if (s.foam) view.foamPlaces = s.foam->foamPlaces.id();
     view.foamCount = s.parameters.foamCapacity;
+    if (s.forms) view.fluidForms = s.forms->fluidForms.id();
     if (!s.strands || !canTear(impl_->world)) return view;
     view.distanceStates = s.strands->distanceStates.id();
     view.distanceCount = static_cast<uint32_t>(s.strands->distanceStates.size());
@@ -143,6 +144,7 @@ ViewState Solver::readView()
     view.bodyRotations.resize(impl_->world.bodies.size());
     view.colliderPlaces.resize(2 * impl_->world.colliders.size());
     if (s.foam) view.foamPlaces = s.foam->foamPlaces.download();
+    if (s.forms) view.fluidForms = s.forms->fluidForms.download();
     if (!s.strands || !canTear(impl_->world)) return view;
     for (const gpu::vec4& state : s.strands->distanceStates.download()) view.tornDistances.push_back(state.z != 0.0f);
     return view;

@@ -100,6 +100,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
     if (ViscosityStage::isNeeded(world)) viscosity.emplace(setup_);
     if (FluidWatchStage::isNeeded(world)) fluidWatch.emplace();
     if (FoamStage::isNeeded(world)) foam.emplace(setup_);
+    if (FormStage::isNeeded(world)) forms.emplace(setup_);
     if (EmitterStage::isNeeded(world)) emitters.emplace(setup_);
     if (world.settings.solver == SolverKind::Paper) paper.emplace(setup_);
     std::vector<Stage*> stages = all();
@@ -137,6 +138,7 @@ std::vector<Stage*> Stages::all()
     add(viscosity);
     add(fluidWatch);
     add(foam);
+    add(forms);
     add(emitters);
     add(paper);
     return stages;

@@ -14,6 +14,7 @@
 #include "sim/solver/fluid/fluid_stage.h"
 #include "sim/solver/fluid/fluid_watch_stage.h"
 #include "sim/solver/fluid/foam_stage.h"
+#include "sim/solver/fluid/form_stage.h"
 #include "sim/solver/fluid/viscosity_stage.h"
 #include "sim/solver/forces/force_stage.h"
 #include "sim/solver/joint/gear_stage.h"
@@ -99,6 +100,7 @@ public:
     std::optional<ViscosityStage> viscosity;
     std::optional<FluidWatchStage> fluidWatch;
     std::optional<FoamStage> foam;
+    std::optional<FormStage> forms;
     std::optional<EmitterStage> emitters;
     std::optional<PaperStage> paper;
 };

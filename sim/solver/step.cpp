@@ -136,7 +136,9 @@ void impulseStep(const Stages& s, const Settings& settings, Recorder& recorder)
     s.joints.placeParticles(recorder);
     if (s.sleep) s.sleep->endStep(recorder);
     if (s.fluidWatch) s.fluidWatch->watch(recorder);
-    if (s.foam) s.foam->endStep(recorder);  // before fluid comes and goes: its slots are those of the step
+    // Before fluid comes and goes: slots are those of the step.
+    if (s.foam) s.foam->endStep(recorder);
+    if (s.forms) s.forms->endStep(recorder);
     if (s.emitters) s.emitters->endStep(recorder);
 }
 
@@ -157,6 +159,7 @@ void paperStep(const Stages& s, const Settings& settings, Recorder& recorder)
 void recordStart(Stages& stages, Recorder& recorder)
 {
     if (stages.fluids) stages.fluids->relax(recorder);
+    if (stages.forms) stages.forms->endStep(recorder);
     if (stages.fluidWatch) stages.fluidWatch->begin(recorder);
 }
 

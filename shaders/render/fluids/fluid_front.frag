@@ -1,14 +1,25 @@
-// The depth of the nearest fluid.
-#include "render/common/sphere_hit.glsl"
+// The depth of the nearest fluid, whose particles are spheroids.
+#include "render/common/frame_blocks.glsl"
 
 flat in vec4 sphere;
 flat in float radius;
+flat in vec3 formAxis;
+flat in vec2 formLengths;
 // As in sphere.frag.
 layout(depth_greater) out float gl_FragDepth;
 
+/// Space in which the spheroid is a ball.
+vec3 rounded(vec3 v)
+{
+    return (v + (formLengths.y / formLengths.x - 1.0) * dot(formAxis, v) * formAxis) / formLengths.y;
+}
+
 void main()
 {
-    SphereHit hit;
-    if (!sphereHit(sphere.xyz, radius, gl_FragCoord.xy, hit)) discard;
-    gl_FragDepth = hit.depth / frame.farDepth;
+    vec3 ray = rounded(viewRay(gl_FragCoord.xy)), centre = rounded(sphere.xyz);
+    float inverse = 1.0 / dot(ray, ray), along = dot(centre, ray) * inverse;
+    vec3 miss = centre - along * ray;
+    float h = radius * radius - dot(miss, miss);
+    if (h < 0.0) discard;
+    gl_FragDepth = (along - sqrt(h * inverse)) / frame.farDepth;
 }

@@ -15,7 +15,7 @@ float fluidDepth(ivec2 pixel) { return texelFetch(fluidDepthPicture, pixel, 0).r
 layout(location = 0) out float smoothed;   // [m]
 
 // In radii: the range, how far behind what is beyond it counts, and the filter's half width.
-const float RANGE = 2.8, BEYOND = 0.8, WIDTH = 2.4;
+const float RANGE = 2.8, BEYOND = 0.8, WIDTH = 1.5;
 const float MOST_PIXELS = 100.0;
 const int MOST_TAPS = 16;
 

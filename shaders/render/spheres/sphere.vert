@@ -1,6 +1,7 @@
 // One point per listed particle, as large as the sphere's image, which is an ellipse.
 #include "render/common/fluid_kind.glsl"
 #include "render/common/drawn_radius.glsl"
+#include "render/common/fluid_form.glsl"
 #include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
 #ifdef PATTERNS
@@ -25,12 +26,13 @@ void main()
 #ifdef GRAINS
     radius *= lookOfGrain(uint(particle), place, radius, color);
 #endif
+    float bound = radius * giveForm(uint(particle));
     float aspect = float(frame.width) / float(frame.height);
-    vec4 bounds = sphereBounds(centre, radius, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
+    vec4 bounds = sphereBounds(centre, bound, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
     vec2 size = 0.5 * (bounds.zw - bounds.xy) * vec2(frame.width, frame.height);
     sphere = vec4(centre, uintBitsToFloat(color));
     gl_PointSize = max(size.x, size.y) + 1.0;
-    gl_Position = vec4(0.5 * (bounds.xy + bounds.zw), 2.0 * (-centre.z - radius) / frame.farDepth - 1.0, 1.0);
+    gl_Position = vec4(0.5 * (bounds.xy + bounds.zw), 2.0 * (-centre.z - bound) / frame.farDepth - 1.0, 1.0);
 #ifdef PATTERNS
     placeSphere(particle);
 #endif

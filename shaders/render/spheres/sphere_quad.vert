@@ -1,6 +1,7 @@
 // Two triangles around the image of each listed sphere that is too large for the driver's points.
 #include "render/common/fluid_kind.glsl"
 #include "render/common/drawn_radius.glsl"
+#include "render/common/fluid_form.glsl"
 #include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
 #ifdef PATTERNS
@@ -25,9 +26,10 @@ void main()
 #ifdef GRAINS
     radius *= lookOfGrain(particle, where, radius, color);
 #endif
+    float bound = radius * giveForm(particle);
     float aspect = float(frame.width) / float(frame.height);
-    vec4 bounds = sphereBounds(centre, radius, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
-    float nearest = max(-centre.z - radius, 0.0);
+    vec4 bounds = sphereBounds(centre, bound, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
+    float nearest = max(-centre.z - bound, 0.0);
     sphere = vec4(centre, uintBitsToFloat(color));
     const int CORNERS[QUAD_CORNERS] = int[QUAD_CORNERS](0, 1, 2, 2, 1, 3);
     int place = CORNERS[gl_VertexID % QUAD_CORNERS];

@@ -24,6 +24,7 @@ constexpr std::array CARRIED{
     Carried{"positions", Per::Particle, 4},
     Carried{"velocities", Per::Particle, 4},
     Carried{"fluidPasts", Per::Particle, 4},
+    Carried{"fluidForms", Per::Particle, 1},
     Carried{"moverCentres", Per::Mover, 4},
     Carried{"moverRotations", Per::Mover, 4},
     Carried{"moverMoves", Per::Mover, 4},

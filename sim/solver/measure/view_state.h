@@ -18,6 +18,7 @@ struct ViewState {
     std::vector<gpu::vec4> colliderPlaces{};  ///< Of each collider: xyz [m]; quaternion xyzw.
     std::vector<bool> torn{};                 ///< As ParticleState::torn.
     std::vector<gpu::vec4> foamPlaces{};      ///< Of points of foam: xyz [m], w: opacity, 0: none is there.
+    std::vector<uint32_t> fluidForms{};       ///< Of each particle, packed (math/spheroid.glsl); empty: balls.
     std::vector<bool> tornDistances{};        ///< In the order of strandOrder(); empty: none can tear.
 };
 

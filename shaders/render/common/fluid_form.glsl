@@ -1,0 +1,20 @@
+// SURFACE: the spheroid as which a fluid particle is drawn, for the fragments of its image.
+#include "math/spheroid.glsl"
+#include "render/common/frame_blocks.glsl"
+
+#ifdef SURFACE
+uniform usamplerBuffer fluidForms;
+flat out vec3 formAxis;       // in view space
+flat out vec2 formLengths;    // half lengths along it and across it, over the radius
+
+/// @returns the longest of its half lengths, over the radius.
+float giveForm(uint particle)
+{
+    Spheroid form = unpackSpheroid(texelFetch(fluidForms, int(particle)).x);
+    formAxis = directionToView(form.axis);
+    formLengths = vec2(form.along, form.across);
+    return max(form.along, form.across);
+}
+#else
+float giveForm(uint particle) { return 1.0; }
+#endif
