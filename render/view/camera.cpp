@@ -11,6 +11,7 @@
 #include "render/unseen.h"
 #include "render/view/camera_keys.h"
 #include "render/view/camera_shake.h"
+#include "render/view/pleasant_view.h"
 #include "sim/base/angles.h"
 #include "sim/base/errors.h"
 #include "sim/world/space/bounds.h"
@@ -21,9 +22,6 @@ namespace {
 
 using Eigen::AlignedBox3f;
 
-/// The best direction to look at a scene from: a little from the right, a little from above.
-constexpr float PLEASANT_AZIMUTH = 28.0f * DEGREE;
-constexpr float PLEASANT_ELEVATION = 17.0f * DEGREE;
 /// Share of the picture that a followed object fills.
 constexpr float FOLLOWED_SHARE = 0.8f;
 
@@ -116,8 +114,7 @@ Camera::Camera(const CameraSettings& settings, const World& world, float aspect)
     if (settings.kind == CameraKind::Orbit) orbitSpeed_ = settings.orbitSpeed * DEGREE;
     if (settings.automatic) {
         mode_ = settings.kind == CameraKind::Orbit ? CAMERA_FRAMES_AROUND : CAMERA_FRAMES;
-        settings_.position = {std::sin(PLEASANT_AZIMUTH) * std::cos(PLEASANT_ELEVATION), std::sin(PLEASANT_ELEVATION),
-                              std::cos(PLEASANT_AZIMUTH) * std::cos(PLEASANT_ELEVATION)};
+        settings_.position = pleasantDirection(world);
         settings_.target = Vector3f::Zero();
     }
     if (settings.attention == CameraAttention::Frame)
