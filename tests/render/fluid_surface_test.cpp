@@ -39,6 +39,15 @@ World pool(float edge, bool wet)
     return world;
 }
 
+/// Of the pool's particles, as the solver has them: those at its surface are flat.
+std::vector<uint32_t> formsOf(const World& world)
+{
+    std::vector<uint32_t> forms;
+    for (const Particle& p : world.particles)
+        forms.push_back(p.position.y() > DEPTH - SPACING ? packedForm({0, 1, 0}, 0.66, 1.23) : 0);
+    return forms;
+}
+
 /// At 45 degrees, along x, at the surface above the origin.
 RenderSettings slantedLook()
 {
@@ -78,7 +87,9 @@ double rowOf(double x, double index)
 TEST(FluidSurface, BendsLightAsSnellsLawHasIt)
 {
     const float edge = 0.2f;
-    const Image dry = drawn(pool(edge, false), slantedLook()), wet = drawn(pool(edge, true), slantedLook());
+    const World filled = pool(edge, true);
+    const Image dry = drawn(pool(edge, false), slantedLook());
+    const Image wet = drawn(filled, slantedLook(), 0.0, formsOf(filled));
     const double middle = SIZE / 2;
     EXPECT_NEAR(edgeIn(dry, SIZE / 2), rowOf(edge, 1.0), 1.0);
     const double shift = rowOf(edge, 1.333) - rowOf(edge, 1.0);
@@ -127,6 +138,32 @@ TEST(FluidSurface, OfADropIsRound)
     EXPECT_NEAR(wide, 2.0 * scale * std::tan(angle), 0.03 * wide);
     EXPECT_NEAR(wide, tall, 0.03 * wide);
     EXPECT_NEAR(area, 0.25 * std::numbers::pi * wide * tall, 0.03 * area);
+}
+
+/// A spheroid that lies across the view. What is spread of a particle within reaches 1.3 radii.
+TEST(FluidSurface, OfAStretchedDropIsAsLongAndAsThickAsItsForm)
+{
+    const double along = 1.15, across = 0.75;
+    StillWorld still(0.1f);
+    still.world.fluidSpacing = 0.1f;
+    still.world.materials[0].look = {DrawnAs::Surface, 0.0f, 1000.0f};
+    still.world.materials[0].color = {0.9f, 0.05f, 0.05f};
+    RenderSettings settings = lookFrom({0, 0, 2.4f}, {0, 0, 0}, SIZE, SIZE);
+    settings.camera.fieldOfView = 5.0f;
+    const Image without = drawn(still.world, settings);
+    addFluid(still.world, {{0, 0, 0}});
+    const Image with = drawn(still.world, settings, 0.0, {packedForm({1, 0, 0}, along, across)});
+    uint32_t wide = 0, tall = 0;
+    for (uint32_t k = 0; k < SIZE; ++k) {
+        const auto changes = [&](uint32_t x, uint32_t y) {
+            return (pixelAt(with, x, y) - pixelAt(without, x, y)).cwiseAbs().sum() >= 30;
+        };
+        wide += changes(k, SIZE / 2) ? 1 : 0;
+        tall += changes(SIZE / 2, k) ? 1 : 0;
+    }
+    const double pixels = SURFACE_RADIUS * 0.1 * SIZE / (2.4 * std::tan(2.5 * std::numbers::pi / 180.0));
+    EXPECT_NEAR(wide, along * pixels, 0.03 * wide);
+    EXPECT_NEAR(tall, across * pixels, 0.03 * tall);
 }
 
 /// Mean colours of the left and the right half of the picture's middle.

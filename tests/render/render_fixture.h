@@ -15,10 +15,11 @@ inline Gpu& sharedGpu()
 }
 
 /// The picture of `world` at `time` [s]; fails the test on any GL error.
-inline Image drawn(const World& world, const RenderSettings& settings, double time = 0.0)
+inline Image drawn(const World& world, const RenderSettings& settings, double time = 0.0,
+                   const std::vector<uint32_t>& forms = {})
 {
     Gpu& gpu = sharedGpu();
-    const StillBuffers buffers(world);
+    const StillBuffers buffers(world, forms);
     Renderer renderer(gpu, world, settings);
     renderer.draw(buffers.view(), time);
     Image image = renderer.readImage();

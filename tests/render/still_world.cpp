@@ -1,5 +1,8 @@
 #include "tests/render/still_world.h"
 
+#include <cmath>
+#include <stdexcept>
+
 #include "sim/solver/pack.h"
 
 namespace knuckle::test {
@@ -93,28 +96,41 @@ Collider& StillWorld::addCollider(ColliderShape shape, const Vector3f& position)
     return world.colliders.emplace_back(collider);
 }
 
-StillBuffers::StillBuffers(const World& world)
+StillBuffers::StillBuffers(const World& world, const std::vector<uint32_t>& forms)
     : radius_(world.particleRadius), fluidSpacing_(world.fluidSpacing), solidCount_(world.solidCount()),
       positions_(positionsOf(world)),
       velocities_(vectors("velocities", world.particles, [](const Particle& p) { return p.velocity; })),
       centres_(vectors("centres", world.bodies, [](const Body& b) { return b.position; })),
-      rotations_(rotationsOf(world)), places_(placesOf(world))
+      rotations_(rotationsOf(world)), places_(placesOf(world)), forms_("forms", std::span<const uint32_t>(forms))
 {
 }
 
 ParticleView StillBuffers::view() const
 {
-    return {positions_.id(),
-            velocities_.id(),
-            centres_.id(),
-            rotations_.id(),
-            places_.id(),
-            static_cast<uint32_t>(positions_.size()),
-            static_cast<uint32_t>(centres_.size()),
-            static_cast<uint32_t>(places_.size() / 2),
-            radius_,
-            solidCount_,
-            fluidSpacing_};
+    ParticleView view{positions_.id(),
+                      velocities_.id(),
+                      centres_.id(),
+                      rotations_.id(),
+                      places_.id(),
+                      static_cast<uint32_t>(positions_.size()),
+                      static_cast<uint32_t>(centres_.size()),
+                      static_cast<uint32_t>(places_.size() / 2),
+                      radius_,
+                      solidCount_,
+                      fluidSpacing_};
+    if (forms_.size() > 0) view.fluidForms = forms_.id();
+    return view;
+}
+
+uint32_t packedForm(const Vector3f& axis, double along, double across)
+{
+    const auto steps = [](double length) {
+        return static_cast<uint32_t>(std::lround(64 + 63 * std::log2(length) / 0.9));
+    };
+    const Vector3f p = axis / axis.cwiseAbs().sum();
+    if (p.z() < 0.0f) throw std::logic_error("an axis is the same both ways: z at least 0");
+    const auto square = [](float x) { return static_cast<uint32_t>(std::lround((0.5f + 0.5f * x) * 511.0f)); };
+    return square(p.x()) | square(p.y()) << 9 | steps(along) << 18 | steps(across) << 25;
 }
 
 void addFluid(World& world, const std::vector<Vector3f>& positions)

@@ -27,14 +27,19 @@ public:
 /// Its state in buffers like the solver's.
 class StillBuffers {
 public:
-    explicit StillBuffers(const World& world);
+    /// @param forms of fluids, per particle, packed as by math/spheroid.glsl; empty: balls
+    explicit StillBuffers(const World& world, const std::vector<uint32_t>& forms = {});
     ParticleView view() const;
 
 private:
     float radius_, fluidSpacing_;
     uint32_t solidCount_;
     Buffer<gpu::vec4> positions_, velocities_, centres_, rotations_, places_;
+    Buffer<uint32_t> forms_;
 };
+
+/// A form of StillBuffers. @param along, across  half lengths along the axis and across it, over the radius
+uint32_t packedForm(const Vector3f& axis, double along, double across);
 
 /// Adds fluid particles at `positions`, behind the particles that exist.
 void addFluid(World& world, const std::vector<Vector3f>& positions);

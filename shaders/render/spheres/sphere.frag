@@ -1,8 +1,8 @@
 // The sphere's nearest point on the pixel's ray: its depth, normal and colour.
 #include "render/common/surface.glsl"
 #include "render/common/sphere_hit.glsl"
-#ifdef PATTERNS
 #include "math/quaternion.glsl"
+#ifdef PATTERNS
 #include "render/common/finish_pattern.glsl"
 
 flat in vec4 placeInBody;

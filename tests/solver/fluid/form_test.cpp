@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "sim/base/random.h"
-#include "sim/solver/solver.h"
+#include "sim/solver/step.h"
 #include "tests/solver/solver_test.h"
 
 namespace knuckle::test {
@@ -14,8 +14,10 @@ using Eigen::Vector3d;
 constexpr float SPACING = 0.5f * DIAMETER;
 /// Bounds of shaders/sim/fluid/fluid_form.comp.
 constexpr double FLATTEST = 0.4, LONGEST = 2.0, DROP = 0.86;
-/// Lengths are stored in steps of 1 %, of which half can be off, axes as 511 steps across the octahedron.
-constexpr double ROUNDING = 0.006, LEAST_COSINE = 0.9999;
+/// Lengths are stored in steps of 1 %, of which half can be off, axes as 511 steps across the octahedron. Five
+/// squarings leave some of the axis in the middle where it is nearly as large: 2 % of lengths, and cosines are those of
+/// forms that are far from that.
+constexpr double ROUNDING = 0.006, MIXED = 0.02, LEAST_COSINE = 0.9999;
 
 /// As math/spheroid.glsl has it.
 struct Form {
@@ -44,8 +46,12 @@ std::vector<uint32_t> formsOf(const std::vector<Vector3f>& places)
     water.fluid = true;
     builder.addFluid(places, {0, 0, 0}, builder.addMaterial(water));
     const World world = builder.build();
-    Solver solver(gpu(), world);
-    return solver.readView().fluidForms;
+    Stages stages(gpu(), world);
+    stages.load();
+    KernelTimer timer;
+    Recorder recorder(timer, stages.dispatches);
+    recordStart(stages, recorder);
+    return stages.forms->fluidForms.download();
 }
 
 /// What the paper's three axes are, of the one that differs most, in double precision.
@@ -86,8 +92,8 @@ void expectForms(const std::vector<Vector3f>& places, size_t fewest)
     size_t compared = 0;
     for (size_t i = 0; i < places.size(); ++i) {
         const Form found(words[i]), wanted = truth(places, i);
-        ASSERT_NEAR(found.along, wanted.along, 2.0 * ROUNDING * wanted.along) << i;
-        ASSERT_NEAR(found.across, wanted.across, 2.0 * ROUNDING * wanted.across) << i;
+        ASSERT_NEAR(found.along, wanted.along, (ROUNDING + MIXED) * wanted.along) << i;
+        ASSERT_NEAR(found.across, wanted.across, (ROUNDING + MIXED) * wanted.across) << i;
         if (std::abs(wanted.along / wanted.across - 1.0) < 0.1) continue;
         ASSERT_GT(std::abs(found.axis.dot(wanted.axis)), LEAST_COSINE) << i;
         ++compared;
