@@ -31,8 +31,8 @@ TEST(PleasantView, IsALittleFromAboveWhereNothingIsInTheWay)
     EXPECT_NEAR(elevationOf(behindWall(0.2f, 2.0f)), 17.0f, 0.01f);
 }
 
-/// Half of what stands behind it is to be seen, 0.45 m high with its particles: from 0.225 m up over a wall of 0.5 m that
-/// begins 0.5 m away along z, which is 0.5 m / cos 28 degrees along the view.
+/// Half of what stands behind it is to be seen, 0.45 m high with its particles: from 0.225 m up over a wall of 0.5 m
+/// that begins 0.5 m away along z, which is 0.5 m / cos 28 degrees along the view.
 TEST(PleasantView, RisesWhereAWallHidesWhatIsBehindIt)
 {
     const float needed = std::atan2(0.275f, 0.5f / std::cos(28.0f * DEGREE)) / DEGREE;
