@@ -120,10 +120,10 @@ TEST_F(Shapes, OfAWordThatIsNoneTheErrorIsOneLine)
 {
     folder.write("turning.json", TURNING);
     expectError(run({"render", "turning.json", "--set", "objects.0.draw=box"}), 2,
-                "turning.json: /objects/0/draw: \"box\" is unknown; known: auto, particles, shape");
+                "turning.json: /objects/0/draw: \"box\" is unknown; known: auto, particles, surface, shape");
     expectError(run({"render", "turning.json", "--set", "materials.default.draw=surface"}), 2,
-                "turning.json: /materials/default/draw: only a fluid has a surface; take \"shape\" or \"particles\", "
-                "or say \"fluid\": true");
+                "turning.json: /objects/0/material: \"default\" says \"draw\": \"surface\", and a rigid box has none; "
+                "give it \"draw\": \"shape\" or \"particles\", or another material");
 }
 
 }  // namespace
