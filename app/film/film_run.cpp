@@ -10,6 +10,7 @@
 #include "app/export/frame_export.h"
 #include "app/film/film_outputs.h"
 #include "app/film/film_steps.h"
+#include "app/film/moments.h"
 #include "app/film/run_figures.h"
 #include "app/run/counted.h"
 #include "app/run/interrupt.h"
@@ -161,12 +162,25 @@ private:
         if (measured && drawing_) drawing_->wait();
         {
             const Stopwatch watch(figures_.simulationSeconds);
-            steps_.advance(frame, [&] { step(frame); });
+            expose(frame);
             if (measured) solver_.checkCounters(frame);
         }
         if (drawing_) drawing_->fetch();
         if (!measured) solver_.checkCounters(frame);
         figures_.steps += scene_.clock.at(frame).steps - scene_.clock.at(frame - 1).steps;
+    }
+
+    /// Takes the steps to a frame, and draws the moments on the way that it is exposed to, but for its own.
+    void expose(uint64_t frame)
+    {
+        const std::vector<Moment> moments = drawing_ ? momentsBefore(scene_, frame) : std::vector<Moment>();
+        std::vector<double> places;
+        for (const Moment& moment : moments) places.push_back(moment.place);
+        const bool drawn = range_.has(frame) && outputs_.wantsPicture(frame);
+        steps_.advance(
+            frame, [&] { step(frame); }, places, [&](const ParticleView& view, size_t moment) {
+                drawing_->take(view, {frame, moments[moment].time, drawn, static_cast<uint32_t>(moment)});
+            });
     }
 
     void tellLeftOut() const
@@ -203,7 +217,7 @@ private:
             const bool drawn = range_.has(frame) && outputs_.wantsPicture(frame);
             const bool labelled = drawn && outputs_.hasLabels();
             drawing_->take(steps_.view(),
-                           {frame, time, drawn, labelled ? labelsOf(facts_, frame, steps_.stateHash()) : PngText()});
+                           {frame, time, drawn, lastDraw(frame), labelled ? labelsOf(facts_, frame, steps_.stateHash()) : PngText()});
         }
         const FrameRecord record = readBack(frame, wanted);
         if (checkpoint_) checkpoint_->log(record);
@@ -241,6 +255,13 @@ private:
         if (releases_) figures_.releases = releases_->figures();
         outputs_.stats->write(statsText(figures_, scene_.world, solver_));
         outputs_.stats->commit();
+    }
+
+    /// The draw that the frame's own moment is; none: all draws are of it.
+    std::optional<uint32_t> lastDraw(uint64_t frame) const
+    {
+        if (scene_.render.shutter == 0.0f || frame == begin_) return {};
+        return drawsOf(scene_.render) - 1;
     }
 
     const Scene& scene_;

@@ -22,6 +22,7 @@ void readBackground(const Json& json, RenderSettings& render)
 RenderSettings readPicture(const JsonFile& file, const World& world, const NamedParticles& particles, SceneFiles& files)
 {
     RenderSettings render = readFields<RenderSettings>(file.root["render"]);
+    render.fog = readFields<FogSettings>(file.root["render"]["fog"]);
     render.light = readLight(file, files);
     render.lights = readLights(file);
     readBackground(file.root["render"]["background"], render);

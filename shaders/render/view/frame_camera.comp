@@ -13,6 +13,7 @@ layout(std430) buffer View { FrameView view; };
 
 #include "render/view/framed_box.glsl"
 #include "render/view/kept_whole.glsl"
+#include "render/view/focus.glsl"
 
 Box followedBox()
 {
@@ -76,12 +77,21 @@ void main()
     Box framed = framedBox();
     vec3 eye = frame.cameraPosition.xyz;
     vec3 back = normalize(eye - frame.cameraTarget.xyz);
-    if (frame.cameraMode == CAMERA_FOLLOWS) eye = inFrontOfPlanes(eye + tracked(followedBox()).low);
+    vec3 aimed = frame.cameraTarget.xyz;
+    if (frame.cameraMode == CAMERA_FOLLOWS) {
+        vec3 middle = tracked(followedBox()).low;
+        eye = inFrontOfPlanes(eye + middle);
+        aimed += middle;
+    }
     if (frame.cameraMode == CAMERA_FRAMES || frame.cameraMode == CAMERA_FRAMES_AROUND)
+    {
         eye = placeInFront(framed, back);
+        aimed = frame.framedBit != 0u ? view.trackedLow.xyz : 0.5 * (view.trackedLow.xyz + view.trackedHigh.xyz);
+    }
     if (frame.cameraMode == CAMERA_LOOKS) {
         Box seen = tracked(framed);
-        back = normalize(eye - 0.5 * (seen.low + seen.high));
+        aimed = 0.5 * (seen.low + seen.high);
+        back = normalize(eye - aimed);
     }
     vec3 right = perpendicular(back);
     vec3 up = cross(back, right);
@@ -90,6 +100,7 @@ void main()
     turn(right, up, frame.cameraTurn.z);
     view.cameraRight = vec4(right, 0.0);
     view.cameraUp = vec4(up, 0.0);
-    view.cameraBack = vec4(back, 0.0);
+    view.cameraBack = vec4(back, sharpDistance(eye, back, aimed));
     view.cameraPosition = vec4(eye, 0.0);
+    view.lightDepth.yzw = eye;
 }
