@@ -1,6 +1,7 @@
 // Air that swallows light and gives its own (Beer and Lambert); it may thin upwards.
-#ifdef FOG
 #include "render/common/frame_blocks.glsl"
+
+#ifdef FOG
 
 const float FAR_AWAY = 1e6;     // the sky [m]
 

@@ -32,15 +32,21 @@ vec4 shadedRectangle(vec3 mapCentre, vec3 lightRight, vec3 lightUp, float halfSi
     return vec4(middle - reach, middle + reach) / halfSide;
 }
 
+// What is sharp stays where it is in the picture.
+void placeOnLens(vec3 lens)
+{
+    vec2 slope = frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
+    vec2 shift = frame.lens.xy + frame.lens.zw / (view.cameraBack.w * slope);
+    view.cameraRight.w = shift.x;
+    view.cameraUp.w = shift.y;
+    view.cameraPosition.xyz = lens + frame.lens.z * view.cameraRight.xyz + frame.lens.w * view.cameraUp.xyz;
+}
+
 void main()
 {
     vec3 right = view.cameraRight.xyz, up = view.cameraUp.xyz, back = view.cameraBack.xyz;
     vec3 lens = view.lightDepth.yzw;
-    vec2 extent = frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
-    vec2 shift = frame.lens.xy + frame.lens.zw / (view.cameraBack.w * extent);
-    view.cameraRight.w = shift.x;
-    view.cameraUp.w = shift.y;
-    view.cameraPosition.xyz = lens + frame.lens.z * right + frame.lens.w * up;
+    placeOnLens(lens);
     // Particles beyond the lit stage must not enlarge the shadow map.
     vec3 low = clamp(view.particleLow.xyz, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz);
     vec3 high = clamp(view.particleHigh.xyz, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz);
