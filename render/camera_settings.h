@@ -63,7 +63,7 @@ struct CameraSettings {
     float aperture = 0.0f;                    ///< Diameter of the lens [m], 0 ... 100; 0: everything is sharp.
     float focus = 0.0f;                       ///< Distance along its axis of what is sharp [m]; 0: what it looks at.
     std::vector<ParticleRange> focused = {};  ///< Whose middle is sharp instead; empty: nobody's.
-    std::vector<ParticleRange> named = {};  ///< Whom attention is for; not empty unless it is None.
+    std::vector<ParticleRange> named = {};    ///< Whom attention is for; not empty unless it is None.
 };
 
 /// A part of a film: one camera, one pace.

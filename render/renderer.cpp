@@ -8,10 +8,10 @@
 #include "render/fluids/fluid_looks.h"
 #include "render/fluids/fluid_pass.h"
 #include "render/frame_input.h"
+#include "render/looks/picture_defines.h"
 #include "render/looks/picture_looks.h"
 #include "render/marks/joint_marks.h"
 #include "render/marks/mark_pass.h"
-#include "render/looks/picture_defines.h"
 #include "render/picture/lens_passes.h"
 #include "render/picture/picture_passes.h"
 #include "render/picture/picture_reader.h"
@@ -106,8 +106,7 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       shapes(gpu, table, world, settings, targets), surfaces(gpu, table, world, settings, targets),
       ropes(gpu, table, world, settings, targets), spheres(gpu, table, world, settings, targets),
       fluids(gpu, table, world, settings, targets),
-      picture(gpu, table, targets, settings, looks.lighting(), looks.isMirror()),
-      lens(gpu, table, targets, settings),
+      picture(gpu, table, targets, settings, looks.lighting(), looks.isMirror()), lens(gpu, table, targets, settings),
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets,
             displayDefines(settings)),
       reader(settings.width, settings.height, settings.background == Background::Transparent)

@@ -56,8 +56,9 @@ void checkLens(const RenderSettings& settings)
     requireRange(settings.fog.density, 0, 100, "render.fog.density");
     requireRange(settings.fog.falloff, 0, 100, "render.fog.falloff");
     if (settings.samples == 1 && isBlurred(settings))
-        throw InputError("render.samples: 1 draw blurs nothing, and there is a shutter or an aperture; take 2 to 64, or "
-                         "0 for as many as they need");
+        throw InputError(
+            "render.samples: 1 draw blurs nothing, and there is a shutter or an aperture; take 2 to 64, or 0 "
+            "for as many as they need");
 }
 
 }  // namespace

@@ -53,9 +53,9 @@ enum class Quality : uint32_t {
 
 /// Light that thin air between the eye and things swallows and gives.
 struct FogSettings {
-    float density = 0.0f;                           ///< At the ground's height [1/m], 0 ... 100; 0: none.
-    Eigen::Vector3f color{0.62f, 0.68f, 0.75f};     ///< Linear RGB, before the exposure.
-    float falloff = 0.0f;                           ///< It thins upwards by e every 1/falloff [1/m], 0 ... 100.
+    float density = 0.0f;                        ///< At the ground's height [1/m], 0 ... 100; 0: none.
+    Eigen::Vector3f color{0.62f, 0.68f, 0.75f};  ///< Linear RGB, before the exposure.
+    float falloff = 0.0f;                        ///< It thins upwards by e every 1/falloff [1/m], 0 ... 100.
 };
 
 struct RenderSettings {

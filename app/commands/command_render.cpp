@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -14,7 +13,6 @@
 #include "app/film/film_outputs.h"
 #include "app/film/replay.h"
 #include "app/film/scene_sky.h"
-#include "app/json/fields.h"
 #include "app/run/tell.h"
 #include "render/output/film_kinds.h"
 #include "sim/base/errors.h"
@@ -65,22 +63,6 @@ RecordOptions recordOptions(const RenderOptions& options)
     for (const auto& [option, path] : {std::pair{"--record states=", record.states}, {"--save-state ", record.last}})
         if (!path.empty()) requireEnding(option, path, "a file of states", {".states"});
     return record;
-}
-
-/// Whether it is a scene's quality, not that of JPEG.
-bool isQualityWord(const std::string& quality)
-{
-    return std::ranges::count(EnumWords<Quality>::WORDS, quality) > 0;
-}
-
-/// @throws InputError.
-int jpegQuality(const std::string& quality)
-{
-    int number = DEFAULT_QUALITY;
-    if (quality.empty() || isQualityWord(quality)) return number;
-    const auto [end, error] = std::from_chars(quality.data(), quality.data() + quality.size(), number);
-    if (error == std::errc() && end == quality.data() + quality.size() && number >= 1 && number <= 100) return number;
-    throw InputError(fmt::format("--quality {}: must be draft, good or final, or of JPEG a number of 1 to 100", quality));
 }
 
 /// What of the command line changes the scene.

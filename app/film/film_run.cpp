@@ -10,7 +10,6 @@
 #include "app/export/frame_export.h"
 #include "app/film/film_outputs.h"
 #include "app/film/film_steps.h"
-#include "app/film/moments.h"
 #include "app/film/run_figures.h"
 #include "app/run/counted.h"
 #include "app/run/interrupt.h"
@@ -162,7 +161,11 @@ private:
         if (measured && drawing_) drawing_->wait();
         {
             const Stopwatch watch(figures_.simulationSeconds);
-            expose(frame);
+            steps_.advance(
+                frame, [&] { step(frame); },
+                [&](const ParticleView& view, const Moment& moment, uint32_t draw) {
+                    if (drawing_) drawing_->take(view, {frame, moment.time, isDrawn(frame), draw});
+                });
             if (measured) solver_.checkCounters(frame);
         }
         if (drawing_) drawing_->fetch();
@@ -170,18 +173,7 @@ private:
         figures_.steps += scene_.clock.at(frame).steps - scene_.clock.at(frame - 1).steps;
     }
 
-    /// Takes the steps to a frame, and draws the moments on the way that it is exposed to, but for its own.
-    void expose(uint64_t frame)
-    {
-        const std::vector<Moment> moments = drawing_ ? momentsBefore(scene_, frame) : std::vector<Moment>();
-        std::vector<double> places;
-        for (const Moment& moment : moments) places.push_back(moment.place);
-        const bool drawn = range_.has(frame) && outputs_.wantsPicture(frame);
-        steps_.advance(
-            frame, [&] { step(frame); }, places, [&](const ParticleView& view, size_t moment) {
-                drawing_->take(view, {frame, moments[moment].time, drawn, static_cast<uint32_t>(moment)});
-            });
-    }
+    bool isDrawn(uint64_t frame) const { return range_.has(frame) && outputs_.wantsPicture(frame); }
 
     void tellLeftOut() const
     {
@@ -214,10 +206,10 @@ private:
         const bool wanted = frame >= range_.first;
         const double time = scene_.timeOf(frame);
         if (drawing_) {
-            const bool drawn = range_.has(frame) && outputs_.wantsPicture(frame);
+            const bool drawn = isDrawn(frame);
             const bool labelled = drawn && outputs_.hasLabels();
-            drawing_->take(steps_.view(),
-                           {frame, time, drawn, lastDraw(frame), labelled ? labelsOf(facts_, frame, steps_.stateHash()) : PngText()});
+            drawing_->take(steps_.view(), {frame, time, drawn, ownDraw(scene_, frame, begin_),
+                                           labelled ? labelsOf(facts_, frame, steps_.stateHash()) : PngText()});
         }
         const FrameRecord record = readBack(frame, wanted);
         if (checkpoint_) checkpoint_->log(record);
@@ -255,13 +247,6 @@ private:
         if (releases_) figures_.releases = releases_->figures();
         outputs_.stats->write(statsText(figures_, scene_.world, solver_));
         outputs_.stats->commit();
-    }
-
-    /// The draw that the frame's own moment is; none: all draws are of it.
-    std::optional<uint32_t> lastDraw(uint64_t frame) const
-    {
-        if (scene_.render.shutter == 0.0f || frame == begin_) return {};
-        return drawsOf(scene_.render) - 1;
     }
 
     const Scene& scene_;

@@ -6,12 +6,13 @@ namespace knuckle {
 
 FilmSteps::FilmSteps(const Gpu& gpu, const Scene& scene, Solver& solver) : scene_(scene), solver_(solver)
 {
-    if (!scene.clock.isEven() || scene.render.shutter > 0.0f) between_ = std::make_unique<BetweenSteps>(gpu, scene.world);
+    if (!scene.clock.isEven() || scene.render.shutter > 0.0f)
+        between_ = std::make_unique<BetweenSteps>(gpu, scene.world);
 }
 
 void FilmSteps::advance(uint64_t frame, const std::function<void()>& step)
 {
-    advance(frame, step, {}, {});
+    advance(frame, step, {});
 }
 
 ParticleView FilmSteps::viewAt(double place, uint64_t steps)
@@ -20,20 +21,22 @@ ParticleView FilmSteps::viewAt(double place, uint64_t steps)
     return part < 1.0 ? between_->at(solver_.view(), part) : solver_.view();
 }
 
-void FilmSteps::advance(uint64_t frame, const std::function<void()>& step, const std::vector<double>& moments,
-                        const std::function<void(const ParticleView&, size_t moment)>& show)
+void FilmSteps::advance(uint64_t frame, const std::function<void()>& step, const ShowMoment& show)
 {
     const FramePlace next = scene_.clock.at(frame);
     const auto placeOf = [](const FramePlace& at) { return static_cast<double>(at.steps) - 1.0 + at.part; };
     const double from = placeOf(place_), by = placeOf(next) - from;
-    size_t shown = 0;
+    const std::vector<Moment> moments = show ? momentsBefore(scene_, frame) : std::vector<Moment>();
+    uint32_t shown = 0;
+    const auto isBefore = [&](uint64_t steps) {
+        return shown < moments.size() && from + moments[shown].place * by <= static_cast<double>(steps);
+    };
     const auto showUpTo = [&](uint64_t steps) {
-        for (; shown < moments.size() && from + moments[shown] * by <= static_cast<double>(steps); ++shown)
-            show(viewAt(from + moments[shown] * by, steps), shown);
+        for (; isBefore(steps); ++shown) show(viewAt(from + moments[shown].place * by, steps), moments[shown], shown);
     };
     showUpTo(place_.steps);
     for (uint64_t taken = place_.steps; taken < next.steps; ++taken) {
-        const bool shows = shown < moments.size() && from + moments[shown] * by <= static_cast<double>(taken + 1);
+        const bool shows = isBefore(taken + 1);
         if (shows || (taken + 1 == next.steps && next.part < 1.0)) {
             solver_.checkCounters(frame);  // steps that have to be repeated must not be drawn
             between_->begin(solver_.view());

@@ -3,8 +3,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <vector>
 
+#include "app/film/moments.h"
 #include "app/scene/scene_file.h"
 #include "render/between_steps.h"
 #include "sim/solver/solver.h"
@@ -20,10 +20,10 @@ public:
 
     /// Takes the steps from the frame before to this one. @param step takes one.
     void advance(uint64_t frame, const std::function<void()>& step);
-    /// The same, and shows the views of moments in between, each valid until the next call. @param moments shares of the
-    /// way, in order, 0 ... 1; one may be the frame before's, none this one's.
-    void advance(uint64_t frame, const std::function<void()>& step, const std::vector<double>& moments,
-                 const std::function<void(const ParticleView&, size_t moment)>& show);
+    /// Shows one of momentsBefore() a frame: its state, which is valid until the next call, and which it is.
+    using ShowMoment = std::function<void(const ParticleView&, const Moment&, uint32_t index)>;
+    /// The same, and shows moments on the way.
+    void advance(uint64_t frame, const std::function<void()>& step, const ShowMoment& show);
     /// Of the last frame that advance() or goOn() have come to; the first before that.
     ParticleView view();
     /// The same on the host; stalls until the GPU is done.

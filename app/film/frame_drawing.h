@@ -16,11 +16,11 @@
 namespace knuckle {
 
 struct Frame {
-    uint64_t number = 1;  ///< As in frame_0001.png.
-    double time = 0.0;    ///< [s]
-    bool drawn = true;    ///< Otherwise only the camera sees it.
+    uint64_t number = 1;                ///< As in frame_0001.png.
+    double time = 0.0;                  ///< [s]
+    bool drawn = true;                  ///< Otherwise only the camera sees it.
     std::optional<uint32_t> draw = {};  ///< The one of drawsOf() that this is; none: all.
-    PngText labels = {};  ///< Of its file.
+    PngText labels = {};                ///< Of its file.
 };
 
 using FrameSinks = std::vector<std::unique_ptr<FrameSink>>;

@@ -20,4 +20,10 @@ std::vector<Moment> momentsBefore(const Scene& scene, uint64_t frame)
     return moments;
 }
 
+std::optional<uint32_t> ownDraw(const Scene& scene, uint64_t frame, uint64_t first)
+{
+    if (scene.render.shutter == 0.0f || frame == first) return {};
+    return drawsOf(scene.render) - 1;
+}
+
 }  // namespace knuckle

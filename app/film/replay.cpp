@@ -63,8 +63,8 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
 {
     requireSameWorld(states, scene);
     if (scene.render.shutter > 0.0f)
-        throw InputError(fmt::format("render.shutter: {} has no moments between frames, so that nothing can be blurred; "
-                                     "--set render.shutter=0",
+        throw InputError(fmt::format("render.shutter: {} has no moments between frames to be exposed to; take --set "
+                                     "render.shutter=0",
                                      states.path()));
     if (needsOf(exporters).measures)
         throw InputError(fmt::format("--export measures: {} does not hold what they are measured from; export them in "

@@ -51,7 +51,6 @@ template <>
 struct EnumWords<ColorBy> {
     static constexpr std::array WORDS{"body", "material", "particle", "speed"};
 };
-
 template <>
 struct EnumWords<FieldKind> {
     static constexpr std::array WORDS{"pull", "push", "swirl", "blow"};
@@ -253,14 +252,6 @@ void visitFields(LightSettings& l, Visitor&& visit)
     visit("intensity", l.intensity);
     visit("softness", l.softness);
     visit("bounce", l.bounce);
-}
-
-template <typename Visitor>
-void visitFields(FogSettings& f, Visitor&& visit)
-{
-    visit("density", f.density);
-    visit("color", f.color);
-    visit("falloff", f.falloff);
 }
 
 /// Camera and lights are separate documents in a scene; without the background and fog.

@@ -23,7 +23,7 @@ public:
     void drawLighting(KernelTimer& timer) const;
     /// The same, except ground and sky, half transparent over the existing colours.
     void drawVeil(KernelTimer& timer) const { veil_.drawScreen(timer); }
-    /// Smooths edges, unless several draws do, then averages the samples of each pixel, if there are several, or enlarges a draft.
+    /// Smooths edges, unless several draws do. Then averages the samples of each pixel, or enlarges a draft.
     void drawSmooth(KernelTimer& timer) const;
     /// The finished frame.
     const Framebuffer& result() const { return isResolved_ ? targets_.resolve : targets_.edges; }

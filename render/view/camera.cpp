@@ -138,8 +138,8 @@ Camera::Camera(const CameraSettings& settings, const World& world, float aspect)
 
 CameraAim Camera::at(double time) const
 {
-    CameraPose pose{settings_.position, settings_.target, settings_.fieldOfView, settings_.roll,
-                    settings_.aperture, settings_.focus};
+    CameraPose pose{settings_.position, settings_.target,   settings_.fieldOfView,
+                    settings_.roll,     settings_.aperture, settings_.focus};
     if (!settings_.keys.empty()) pose = poseAt(settings_.keys, time);
     if (orbitSpeed_ != 0.0f) {
         const auto turn = static_cast<float>(std::remainder(orbitSpeed_ * time, 2.0 * std::numbers::pi));

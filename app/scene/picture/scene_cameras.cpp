@@ -90,7 +90,8 @@ private:
     {
         for (size_t i = 0; i < patterns.size(); ++i) addNamed(camera.focused, patterns[i], pointer + "/focusOn", i);
         if (!patterns.empty() && camera.focus > 0.0f)
-            fail(pointer + "/focusOn", "is given beside `focus`, which says what is sharp as well; take one of them away");
+            fail(pointer + "/focusOn",
+                 "is given beside `focus`, which says what is sharp as well; take one of them away");
     }
 
     void addNamed(std::vector<ParticleRange>& named, const std::string& pattern, const std::string& where,

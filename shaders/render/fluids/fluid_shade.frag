@@ -76,8 +76,7 @@ void main()
     vec4 tint = textureLod(fluidTintPicture, at, 0.0), glow = textureLod(fluidGlowPicture, at, 0.0);
     vec2 place = seenThrough(p, refract(-toEye, n, REFRACTION), pixel, 1.3 * glow.a + frame.fluidRadius);
     vec3 behind = lightIn(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w;
-#ifdef FOG
-    // The fog before the fluid comes last.
+#ifdef FOG   // what is before the fluid comes last
     float clear = clearShare(p, length(p));
     behind = max(mix(frame.fog.rgb, behind, 1.0 / max(clear, 0.05)), 0.0);
 #endif
@@ -92,8 +91,7 @@ void main()
     // more than that: edges at walls would have a bright rim.
     float sharpness = 1.0 / (1.0 / SUN_SHARPNESS + turned), dimmed = sharpness / SUN_SHARPNESS;
     float glint = 0.8 * dimmed * dimmed * pow(max(dot(mirror, view.keyInView.xyz), 0.0), sharpness);
-    vec3 sky = skyTowards(mirror);
-    vec3 radiance = mix(through + back, sky, mirrored) + glint * frame.keyColor.rgb;
+    vec3 radiance = mix(through + back, skyTowards(mirror), mirrored) + glint * frame.keyColor.rgb;
 #ifdef FOG
     radiance = mix(frame.fog.rgb, radiance, clear);
 #endif

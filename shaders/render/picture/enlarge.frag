@@ -1,5 +1,5 @@
-// A draft at the size of the frame: by Catmull and Rom's curve along both axes, in five taps (J. Jimenez, "Filmic SMAA",
-// 2016), within the range of its neighbours so that edges have no rims.
+// A draft at the size of the frame: by Catmull and Rom's curve along both axes, in five taps (J. Jimenez, "Filmic
+// SMAA", 2016), within the range of its neighbours so that edges have no rims.
 uniform sampler2D smoothedPicture;
 layout(location = 0) out vec4 enlarged;
 #ifdef TRANSPARENT

@@ -52,5 +52,6 @@ void main()
         squares += (p - middle) * (p - middle);
     }
     bounds[thread] = ParticleBounds(vec4(low, 0.0), vec4(high, 0.0), vec4(sum, count), vec4(squares, 0.0),
-                                    vec4(framedLow, 0.0), vec4(framedHigh, 0.0), framedMost, framedLeast, vec4(focusLow, 0.0), vec4(focusHigh, 0.0));
+                                    vec4(framedLow, 0.0), vec4(framedHigh, 0.0), framedMost, framedLeast,
+                                    vec4(focusLow, 0.0), vec4(focusHigh, 0.0));
 }

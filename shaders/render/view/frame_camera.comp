@@ -77,21 +77,12 @@ void main()
     Box framed = framedBox();
     vec3 eye = frame.cameraPosition.xyz;
     vec3 back = normalize(eye - frame.cameraTarget.xyz);
-    vec3 aimed = frame.cameraTarget.xyz;
-    if (frame.cameraMode == CAMERA_FOLLOWS) {
-        vec3 middle = tracked(followedBox()).low;
-        eye = inFrontOfPlanes(eye + middle);
-        aimed += middle;
-    }
+    if (frame.cameraMode == CAMERA_FOLLOWS) eye = inFrontOfPlanes(eye + tracked(followedBox()).low);
     if (frame.cameraMode == CAMERA_FRAMES || frame.cameraMode == CAMERA_FRAMES_AROUND)
-    {
         eye = placeInFront(framed, back);
-        aimed = frame.framedBit != 0u ? view.trackedLow.xyz : 0.5 * (view.trackedLow.xyz + view.trackedHigh.xyz);
-    }
     if (frame.cameraMode == CAMERA_LOOKS) {
         Box seen = tracked(framed);
-        aimed = 0.5 * (seen.low + seen.high);
-        back = normalize(eye - aimed);
+        back = normalize(eye - 0.5 * (seen.low + seen.high));
     }
     vec3 right = perpendicular(back);
     vec3 up = cross(back, right);
@@ -100,7 +91,7 @@ void main()
     turn(right, up, frame.cameraTurn.z);
     view.cameraRight = vec4(right, 0.0);
     view.cameraUp = vec4(up, 0.0);
-    view.cameraBack = vec4(back, sharpDistance(eye, back, aimed));
+    view.cameraBack = vec4(back, sharpDistance(eye, back));
     view.cameraPosition = vec4(eye, 0.0);
     view.lightDepth.yzw = eye;
 }
