@@ -57,6 +57,7 @@ RenderTargets::RenderTargets(const RenderSettings& settings, bool hasSurfaces)
 void RenderTargets::addTo(BufferTable& table) const
 {
     table.add(surface, depth, shadow, shade, lit, smoothed);
+    if (resolved.id() != 0) table.add(resolved);
     if (isTransparent()) table.add(cover, smoothedCover);
     if (hasSurfaces()) table.add(fluidDepth, fluidWide, fluidSmooth, fluidTint, fluidGlow, fluidShadow, foam);
 }

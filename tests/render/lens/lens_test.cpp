@@ -11,9 +11,9 @@ TEST(Lens, AMovingBallIsAStreakAsLongAsItsWay)
     constexpr float RADIUS = 0.05f, WAY = 0.6f, DISTANCE = 3.0f;
     constexpr uint32_t DRAWS = 64;
     RenderSettings settings = evenly({0, 0, DISTANCE});
+    settings.samples = DRAWS;
     const Spread still = spreadOf(drawn(ball({0, 0, 0}, RADIUS).world, settings));
     settings.shutter = 180.0f;
-    settings.samples = DRAWS;
     const StillWorld first = ball({0, 0, 0}, RADIUS);
     Renderer renderer(sharedGpu(), first.world, settings);
     for (uint32_t k = 0; k < DRAWS; ++k) {
@@ -102,7 +102,7 @@ TEST(Lens, DrawsBesideEachOtherCoverAnEdgesPixels)
             for (int k = 0; k < FINE * FINE; ++k) {
                 const double px = x + (k % FINE + 0.5) / FINE - SIZE / 2.0,
                              py = y + (k / FINE + 0.5) / FINE - SIZE / 2.0;
-                inside += c * px - s * py < 0.0;
+                inside += c * px + s * py < 0.0;
             }
             const double share = lightOf(static_cast<uint8_t>(pixelAt(image, x, y).y())) / full;
             worst = std::max(worst, std::abs(share - double(inside) / (FINE * FINE)));
