@@ -82,8 +82,8 @@ TEST(Lens, FocusFollowsNamedParticles)
 
 TEST(Lens, DrawsBesideEachOtherCoverAnEdgesPixels)
 {
-    constexpr double DEGREES = 10.0;
-    constexpr uint32_t DRAWS = 16;
+    constexpr double DEGREES = 5.0;
+    constexpr uint32_t DRAWS = 8;
     StillWorld still(0.05f);
     Collider& box = still.addCollider(ColliderShape::Box, {-5, 0, -1});
     box.halfExtents = {5, 5, 1};
