@@ -13,7 +13,7 @@ constexpr const char* FLYING_BALL = R"({
     "light": { "intensity": 0, "skyColor": [1, 1, 1], "groundColor": [1, 1, 1] },
     "render": { "width": 128, "height": 128, "toneMap": "linear", "background": [0, 0, 0], "quality": "final",
                 "samples": 32 },
-    "objects": [{ "type": "rigid", "shape": "sphere", "radius": 0.05, "position": [-0.5, 0, 0], "velocity": [6, 0, 0],
+    "objects": [{ "type": "rigid", "shape": "sphere", "radius": 0.1, "position": [-0.5, 0, 0], "velocity": [6, 0, 0],
                   "draw": "shape" }] })";
 
 /// Frame 4 of the ball's film.
