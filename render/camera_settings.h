@@ -28,6 +28,7 @@ struct CameraKey {
     Eigen::Vector3f target{0.0f, 1.0f, 0.0f};    ///< [m]
     float fieldOfView = 40.0f;                   ///< Vertical [degrees], 5 ... 120.
     float roll = 0.0f;                           ///< [degrees], as CameraSettings::roll.
+    float aperture = 0.0f, focus = 0.0f;         ///< [m], as CameraSettings'.
     Easing easing = Easing::Smooth;
 };
 
@@ -59,7 +60,10 @@ struct CameraSettings {
     std::vector<CameraKey> keys = {};  ///< Fixed only; in order of time. They stand above position, target, ...
     CameraShake shake = {};
     CameraAttention attention = CameraAttention::None;
-    std::vector<ParticleRange> named = {};  ///< Whom attention is for; not empty unless it is None.
+    float aperture = 0.0f;                    ///< Diameter of the lens [m], 0 ... 100; 0: everything is sharp.
+    float focus = 0.0f;                       ///< Distance along its axis of what is sharp [m]; 0: what it looks at.
+    std::vector<ParticleRange> focused = {};  ///< Whose middle is sharp instead; empty: nobody's.
+    std::vector<ParticleRange> named = {};    ///< Whom attention is for; not empty unless it is None.
 };
 
 /// A part of a film: one camera, one pace.

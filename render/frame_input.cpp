@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/picture/lens_samples.h"
 #include "render/picture/render_targets.h"
 #include "render/spheres/sphere_pass.h"
 #include "sim/base/angles.h"
@@ -63,13 +64,17 @@ gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, c
     input.shadowLimitHigh = vec4Of(extent.limit.max());
     input.solidLow = vec4Of(extent.solids.min());
     input.solidHigh = vec4Of(extent.solids.max());
-    input.width = settings.width * settings.antialiasing;
-    input.height = settings.height * settings.antialiasing;
+    input.fog = vec4Of(settings.fog.color, settings.fog.density);
+    input.develop = {1.0f / static_cast<float>(drawsOf(settings)), settings.bloom, settings.vignette,
+                     settings.fog.falloff};
+    const DrawnSize size = drawnSize(settings);
+    input.width = size.width * settings.antialiasing;
+    input.height = size.height * settings.antialiasing;
     input.particleCount = static_cast<uint32_t>(world.particles.size());
     input.farDepth = FAR_DEPTH;
     input.pointSizeLimit = pointSizeLimit();
     input.speedScale = settings.speedScale;
-    input.shadowSize = static_cast<float>(SHADOW_SIZE);
+    input.shadowSize = static_cast<float>(shadowSize(settings));
     input.occlusionRadius = std::clamp(0.05f * extent.size, 4.0f * world.particleRadius, 14.0f * world.particleRadius);
     input.patternScale = roundLength(0.25f * extent.size);
     const bool isStudio = extent.groundCollider != NO_INDEX &&
@@ -89,9 +94,8 @@ void describeParticles(gpu::FrameInput& input, const ParticleView& view, bool ha
         std::round(static_cast<float>(SPACE_UNITS) * std::pow(0.5f * view.fluidSpacing / view.radius, 3.0f)));
 }
 
-void placeCamera(gpu::FrameInput& input, const Camera& camera, double time, float passed)
+void placeCamera(gpu::FrameInput& input, const Camera& camera, const CameraAim& aim, float passed)
 {
-    const CameraAim aim = camera.at(time);
     input.cameraPosition = vec4Of(aim.position);
     input.cameraTarget = vec4Of(aim.target);
     input.cameraTurn = vec4Of(aim.turn);
@@ -101,6 +105,16 @@ void placeCamera(gpu::FrameInput& input, const Camera& camera, double time, floa
     input.tanHalfFov = aim.tanHalfFov;
     input.frameShare = camera.settings().fill;
     input.trackSeconds = passed;
+    input.focusDistance = camera.settings().focused.empty() ? aim.focus : 0.0f;
+}
+
+void placeLens(gpu::FrameInput& input, const RenderSettings& settings, const CameraAim& aim, uint32_t draw)
+{
+    const LensSample sample = lensSample(draw, drawsOf(settings));
+    const DrawnSize size = drawnSize(settings);
+    input.lens = {2.0f * sample.pixelX / static_cast<float>(size.width),
+                  2.0f * sample.pixelY / static_cast<float>(size.height), 0.5f * aim.aperture * sample.lensX,
+                  0.5f * aim.aperture * sample.lensY};
 }
 
 }  // namespace knuckle

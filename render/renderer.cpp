@@ -8,9 +8,11 @@
 #include "render/fluids/fluid_looks.h"
 #include "render/fluids/fluid_pass.h"
 #include "render/frame_input.h"
+#include "render/looks/picture_defines.h"
 #include "render/looks/picture_looks.h"
 #include "render/marks/joint_marks.h"
 #include "render/marks/mark_pass.h"
+#include "render/picture/lens_passes.h"
 #include "render/picture/picture_passes.h"
 #include "render/picture/picture_reader.h"
 #include "render/ropes/rope_pass.h"
@@ -45,11 +47,13 @@ struct Renderer::Impl {
     Impl(Gpu& gpu, const World& world, const RenderSettings& chosen);
     BufferTable& addInputs();  ///< Adds to the table, which it returns.
     void attach(const ParticleView& view);
-    /// @param time of the film [s].
-    void aimCamera(double time);
+    /// @param time of the film [s]. @param draw of a frame.
+    void aimCamera(double time, uint32_t draw);
+    /// Draws of a frame, with the same view: from `first` on, as many.
+    void expose(double time, uint32_t first, uint32_t count);
     /// Draws what casts shadows and what is visible, with the light that reaches it.
     void drawSurfaces(bool withSkins, bool withParticles);
-    void draw();
+    void drawOnce();
 
     RenderSettings settings;
     SceneExtent extent;
@@ -83,6 +87,7 @@ struct Renderer::Impl {
     SpherePass spheres;
     FluidPass fluids;
     PicturePasses picture;
+    LensPasses lens;
     MarkPass marks;
     PictureReader reader;
     KernelTimer timer;
@@ -98,16 +103,16 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))),
       balls("balls", FormStage::isNeeded(world) ? world.particles.size() : 0),
       wholeDistances("wholeDistances", canTear(world) ? strandOrder(world).nodeCount : 0),
-      targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface),
-              settings.background == Background::Transparent),
+      targets(settings, drawsFluids(world, settings, DrawnAs::Surface)),
       view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), fluidLooks(table, world, settings),
       looks(table, world, settings, extent), lists(gpu, table, world, targets.hasSurfaces()),
       colliders(gpu, table, world, extent, targets), skins(gpu, table, world, targets),
       shapes(gpu, table, world, settings, targets), surfaces(gpu, table, world, settings, targets),
       ropes(gpu, table, world, settings, targets), spheres(gpu, table, world, settings, targets),
       fluids(gpu, table, world, settings, targets),
-      picture(gpu, table, targets, settings, looks.lighting(), looks.isMirror()),
-      marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets),
+      picture(gpu, table, targets, settings, looks.lighting(), looks.isMirror()), lens(gpu, table, targets, settings),
+      marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets,
+            displayDefines(settings)),
       reader(settings.width, settings.height, settings.background == Background::Transparent)
 {
     input.cameraPlaneCount = static_cast<uint32_t>(planes.size());
@@ -154,17 +159,22 @@ void Renderer::Impl::attach(const ParticleView& shown)
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void Renderer::Impl::aimCamera(double time)
+void Renderer::Impl::aimCamera(double time, uint32_t draw)
 {
     const size_t shot = shotAt(shots, time);
     // A camera that has been cut to sees for the first time.
     const bool goesOn = lookedAt && shotAt(shots, *lookedAt) == shot;
     const float passed = goesOn ? static_cast<float>(std::max(0.0, time - *lookedAt)) : -1.0f;
     lookedAt = time;
-    placeCamera(input, cameras[shot], time, passed);
+    const CameraAim aim = cameras[shot].at(time);
+    placeCamera(input, cameras[shot], aim, passed);
+    placeLens(input, settings, aim, draw);
     input.framedBit = framed.bits[shot];
+    input.focusBit = framed.sharp[shot];
     inputBuffer.upload({&input, 1});
-    view.aim(timer);
+    // The draws of one moment see the same.
+    if (passed != 0.0f || draw == 0) view.aim(timer);
+    view.fit(timer);
 }
 
 void Renderer::Impl::drawSurfaces(bool withSkins, bool withParticles)
@@ -197,10 +207,9 @@ void Renderer::Impl::drawSurfaces(bool withSkins, bool withParticles)
     picture.drawOcclusion(timer);
 }
 
-void Renderer::Impl::draw()
+void Renderer::Impl::drawOnce()
 {
     const bool veiled = settings.skinOpacity < 1.0f && !skins.empty();
-    view.fit(timer);
     lists.update(timer);
     skins.update(timer);
     surfaces.update(timer);
@@ -214,14 +223,29 @@ void Renderer::Impl::draw()
     }
     marks.draw(timer);
     picture.drawSmooth(timer);
-    reader.start(picture.result().id());
+}
+
+void Renderer::Impl::expose(double time, uint32_t first, uint32_t count)
+{
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glEnable(GL_DEPTH_CLAMP);
+    if (first == 0 && !lens.empty()) lens.begin();
+    for (uint32_t draw = first; draw < first + count; ++draw) {
+        aimCamera(time, draw);
+        drawOnce();
+        if (!lens.empty()) lens.expose(timer);
+    }
+    if (first + count < drawsOf(settings)) return;
+    if (!lens.empty()) lens.develop(timer);
+    reader.start(lens.empty() ? picture.result().id() : lens.result().id());
 }
 
 Workload drawingWorkload(const RenderSettings& settings)
 {
     // The passes of a simple picture; a pixel of it takes 0.11 us on one core of 2.6 GHz.
     const double samples = static_cast<double>(settings.antialiasing) * settings.antialiasing;
-    return {8.0, 1.1e-4 * settings.width * settings.height * samples};
+    const DrawnSize size = drawnSize(settings);
+    return {8.0, 1.1e-4 * size.width * size.height * samples * drawsOf(settings)};
 }
 
 Renderer::Renderer(Gpu& gpu, const World& world, const RenderSettings& settings)
@@ -233,18 +257,20 @@ Renderer::~Renderer() = default;
 
 void Renderer::draw(const ParticleView& view, double time)
 {
-    glEnable(GL_PROGRAM_POINT_SIZE);
-    glEnable(GL_DEPTH_CLAMP);
     impl_->attach(view);
-    impl_->aimCamera(time);
-    impl_->draw();
+    impl_->expose(time, 0, drawsOf(impl_->settings));
+}
+
+void Renderer::expose(const ParticleView& view, double time, uint32_t draw)
+{
+    impl_->attach(view);
+    impl_->expose(time, draw, 1);
 }
 
 void Renderer::look(const ParticleView& view, double time)
 {
     impl_->attach(view);
-    impl_->aimCamera(time);
-    impl_->view.fit(impl_->timer);  // then what is carried on does not tell whether the frame was drawn
+    impl_->aimCamera(time, 0);
 }
 
 Image Renderer::readImage()

@@ -39,6 +39,8 @@ public:
     /// camera. Uploads only one small uniform block.
     /// @throws RunError if the view does not fit the world that the renderer was made for.
     void draw(const ParticleView& view, double time);
+    /// One of drawsOf() draws of a frame, from 0 on, each of a moment of its own; with the last the frame is done.
+    void expose(const ParticleView& view, double time, uint32_t draw);
     /// Shows a state to the camera without drawing it: a camera that follows or frames moving things remembers its
     /// place, so that a frame looks the same whether or not earlier ones are drawn.
     void look(const ParticleView& view, double time);

@@ -24,7 +24,41 @@ void checkCamera(const CameraSettings& camera)
     requireRange(camera.fill, 0.2, 1, "camera.fill");
     requireRange(camera.shake.amplitude, 0, 20, "camera.shake.amplitude");
     requireRange(camera.shake.frequency, 0.01, 20, "camera.shake.frequency");
-    for (const CameraKey& key : camera.keys) requireRange(key.fieldOfView, 5, 120, "camera.keys.fieldOfView");
+    requireRange(camera.aperture, 0, 100, "camera.aperture");
+    requireRange(camera.focus, 0, 1e5, "camera.focus");
+    for (const CameraKey& key : camera.keys) {
+        requireRange(key.fieldOfView, 5, 120, "camera.keys.fieldOfView");
+        requireRange(key.aperture, 0, 100, "camera.keys.aperture");
+        requireRange(key.focus, 0, 1e5, "camera.keys.focus");
+    }
+}
+
+/// Whether a camera has a lens that blurs.
+bool hasAperture(const CameraSettings& camera)
+{
+    return camera.aperture > 0.0f ||
+           std::ranges::any_of(camera.keys, [](const CameraKey& key) { return key.aperture > 0.0f; });
+}
+
+/// Whether a frame takes several draws because of what is not sharp in it.
+bool isBlurred(const RenderSettings& settings)
+{
+    return settings.shutter > 0.0f || hasAperture(settings.camera) ||
+           std::ranges::any_of(settings.shots, [](const Shot& shot) { return hasAperture(shot.camera); });
+}
+
+void checkLens(const RenderSettings& settings)
+{
+    requireRange(settings.samples, 0, MOST_SAMPLES, "render.samples");
+    requireRange(settings.shutter, 0, 360, "render.shutter");
+    requireRange(settings.bloom, 0, 1, "render.bloom");
+    requireRange(settings.vignette, 0, 1, "render.vignette");
+    requireRange(settings.fog.density, 0, 100, "render.fog.density");
+    requireRange(settings.fog.falloff, 0, 100, "render.fog.falloff");
+    if (settings.samples == 1 && isBlurred(settings))
+        throw InputError(
+            "render.samples: 1 draw blurs nothing, and there is a shutter or an aperture; take 2 to 64, or 0 "
+            "for as many as they need");
 }
 
 }  // namespace
@@ -50,10 +84,30 @@ void checkSettings(const RenderSettings& settings)
     requireRange(settings.speedScale, 1e-6, 1e6, "render.speedScale");
     requireRange(settings.light.intensity, 0, 20, "light.intensity");
     requireRange(settings.light.softness, 0, 20, "light.softness");
+    checkLens(settings);
     checkCamera(settings.camera);
     for (const Shot& shot : settings.shots) checkCamera(shot.camera);
     if (!(settings.light.direction.norm() > 1e-6f))
         throw InputError("light.direction: it has no length; point it towards the light");
+}
+
+uint32_t drawsOf(const RenderSettings& settings)
+{
+    constexpr uint32_t OF_BLUR = 16, OF_FINAL = 8;
+    if (settings.samples > 0) return settings.samples;
+    return isBlurred(settings) ? OF_BLUR : settings.quality == Quality::Final ? OF_FINAL : 1;
+}
+
+bool hasLens(const RenderSettings& settings)
+{
+    return settings.quality == Quality::Final || settings.bloom > 0.0f || settings.vignette > 0.0f ||
+           drawsOf(settings) > 1;
+}
+
+DrawnSize drawnSize(const RenderSettings& settings)
+{
+    if (settings.quality != Quality::Draft) return {settings.width, settings.height};
+    return {(settings.width + 1) / 2, (settings.height + 1) / 2};
 }
 
 }  // namespace knuckle

@@ -44,6 +44,20 @@ enum class Background : uint32_t { Sky, Transparent, Color };
 
 enum class ColorBy : uint32_t { Body, Material, Particle, Speed };
 
+/// How much work a picture is.
+enum class Quality : uint32_t {
+    Draft,  ///< Drawn at half the size and enlarged.
+    Good,
+    Final  ///< The mean of several draws, each a little beside the others; dithered.
+};
+
+/// Light that thin air between the eye and things swallows and gives.
+struct FogSettings {
+    float density = 0.0f;                        ///< At the ground's height [1/m], 0 ... 100; 0: none.
+    Eigen::Vector3f color{0.62f, 0.68f, 0.75f};  ///< Linear RGB, before the exposure.
+    float falloff = 0.0f;                        ///< It thins upwards by e every 1/falloff [1/m], 0 ... 100.
+};
+
 struct RenderSettings {
     uint32_t width = 1280, height = 720;  ///< [pixels], 16 ... 8192
     CameraSettings camera;                ///< Of a film without shots.
@@ -61,11 +75,28 @@ struct RenderSettings {
     Background background = Background::Sky;
     Eigen::Vector3f backgroundColor{0, 0, 0};  ///< Linear RGB, before the exposure.
     std::vector<LightSource> lights;           ///< Beside LightSettings' key light, at most LIGHT_SOURCES.
+    Quality quality = Quality::Good;
+    uint32_t samples = 0;   ///< Draws of a frame, up to MOST_SAMPLES; 0: see drawsOf().
+    float shutter = 0.0f;   ///< How much of the time between frames one is exposed to [degrees], 0 ... 360.
+    float bloom = 0.0f;     ///< Share of the light that is spread over the picture, 0 ... 1.
+    float vignette = 0.0f;  ///< Share of the light that corners lack, 0 ... 1.
+    FogSettings fog;
     uint32_t antialiasing = 1;  ///< Samples per axis and pixel, 1 ... 4. Edges are always filtered; time grows with
                                 ///< the square.
 };
 
 /// @throws InputError for a value out of range.
 void checkSettings(const RenderSettings& settings);
+
+inline constexpr uint32_t MOST_SAMPLES = 64;
+/// How many draws a frame is the mean of: `samples`, else as many as what is blurred needs, or the quality.
+uint32_t drawsOf(const RenderSettings& settings);
+/// Whether draws are light, from which pictures are developed, instead of displayed colours.
+bool hasLens(const RenderSettings& settings);
+/// Pixels of one draw, before those of antialiasing.
+struct DrawnSize {
+    uint32_t width, height;
+};
+DrawnSize drawnSize(const RenderSettings& settings);
 
 }  // namespace knuckle

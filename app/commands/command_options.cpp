@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
 
+#include "app/json/fields.h"
+#include "render/output/frame_sink.h"
 #include "sim/base/errors.h"
 
 namespace knuckle {
@@ -21,6 +25,22 @@ CLI::Validator numberBetween(double lowest, double highest)
                            value && std::isfinite(*value) ? "out of range" : "no finite number", lowest, highest);
     };
     return {check, fmt::format("FLOAT in [{:g} - {:g}]", lowest, highest)};
+}
+
+bool isQualityWord(const std::string& quality)
+{
+    return std::ranges::count(EnumWords<Quality>::WORDS, quality) > 0;
+}
+
+int jpegQuality(const std::string& quality)
+{
+    int number = DEFAULT_QUALITY;
+    if (quality.empty() || isQualityWord(quality)) return number;
+    const char* end = quality.data() + quality.size();
+    const auto [last, error] = std::from_chars(quality.data(), end, number);
+    if (error == std::errc() && last == end && number >= 1 && number <= 100) return number;
+    throw InputError(
+        fmt::format("--quality {}: must be draft, good or final, or for JPEG a number from 1 to 100", quality));
 }
 
 void refuseEmptyValues(const CLI::App& program)

@@ -11,6 +11,11 @@ namespace knuckle {
 /// Unlike CLI::Range, refuses text that is not a number.
 CLI::Validator numberBetween(double lowest, double highest);
 
+/// Whether a value of --quality is a scene's, not JPEG's.
+bool isQualityWord(const std::string& quality);
+/// That of JPEG. @throws InputError for neither.
+int jpegQuality(const std::string& quality);
+
 /// After parsing: @throws InputError for an option of the program or its command with an empty value.
 void refuseEmptyValues(const CLI::App& program);
 

@@ -25,7 +25,7 @@ namespace {
 constexpr double DEFAULT_CHECKPOINT_SECONDS = 30.0;
 
 struct RenderOptions {
-    std::string scene, frames, size, framesPerSecond, camera, from, resume;
+    std::string scene, frames, size, quality, framesPerSecond, camera, from, resume;
     bool turntable = false;
     uint64_t stride = 1;
     std::vector<std::string> outputs, sets, exports, records;
@@ -75,6 +75,7 @@ std::vector<Override> overridesOf(const RenderOptions& options)
         overrides.push_back({"render.width", width});
         overrides.push_back({"render.height", height});
     }
+    if (isQualityWord(options.quality)) overrides.push_back({"render.quality", options.quality});
     if (!options.framesPerSecond.empty())
         overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
     if (!options.camera.empty() && options.turntable)
@@ -147,6 +148,7 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
 {
     FilmOptions film = options.film;
     std::vector<Override> overrides = overridesOf(options);
+    film.quality = jpegQuality(options.quality);
     if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
     film.frames.stride = options.stride;
     Exporters exporters = makeExporters(options.exports);
@@ -222,9 +224,10 @@ void addRenderCommand(CommandLine line)
         ->add_option("--codec", options->film.codec,
                      "Of films: h264, h265, av1 (.mov has none of it), of .webm vp9 or av1 [the first]")
         ->type_name("NAME");
-    command->add_option("--quality", options->film.quality, "Of JPEG, 1 to 100 [92]")
-        ->type_name("N")
-        ->check(numberBetween(1.0, 100.0));
+    command
+        ->add_option("--quality", options->quality,
+                     "How much work a frame is: draft, good or final [the scene's]; a number: of JPEG, 1 to 100 [92]")
+        ->type_name("WORD|N");
     command
         ->add_option("--pipe", options->film.pipe,
                      "What goes into a stream, as -o -: a film (mp4, mkv, webm), or frames as they are (y4m, raw: RGB "

@@ -161,13 +161,19 @@ private:
         if (measured && drawing_) drawing_->wait();
         {
             const Stopwatch watch(figures_.simulationSeconds);
-            steps_.advance(frame, [&] { step(frame); });
+            steps_.advance(
+                frame, [&] { step(frame); },
+                [&](const ParticleView& view, const Moment& moment, uint32_t draw) {
+                    if (drawing_) drawing_->take(view, {frame, moment.time, isDrawn(frame), draw});
+                });
             if (measured) solver_.checkCounters(frame);
         }
         if (drawing_) drawing_->fetch();
         if (!measured) solver_.checkCounters(frame);
         figures_.steps += scene_.clock.at(frame).steps - scene_.clock.at(frame - 1).steps;
     }
+
+    bool isDrawn(uint64_t frame) const { return range_.has(frame) && outputs_.wantsPicture(frame); }
 
     void tellLeftOut() const
     {
@@ -200,10 +206,10 @@ private:
         const bool wanted = frame >= range_.first;
         const double time = scene_.timeOf(frame);
         if (drawing_) {
-            const bool drawn = range_.has(frame) && outputs_.wantsPicture(frame);
+            const bool drawn = isDrawn(frame);
             const bool labelled = drawn && outputs_.hasLabels();
-            drawing_->take(steps_.view(),
-                           {frame, time, drawn, labelled ? labelsOf(facts_, frame, steps_.stateHash()) : PngText()});
+            drawing_->take(steps_.view(), {frame, time, drawn, ownDraw(scene_, frame, begin_),
+                                           labelled ? labelsOf(facts_, frame, steps_.stateHash()) : PngText()});
         }
         const FrameRecord record = readBack(frame, wanted);
         if (checkpoint_) checkpoint_->log(record);

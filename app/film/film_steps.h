@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/film/moments.h"
 #include "app/scene/scene_file.h"
 #include "render/between_steps.h"
 #include "sim/solver/solver.h"
@@ -19,6 +20,10 @@ public:
 
     /// Takes the steps from the frame before to this one. @param step takes one.
     void advance(uint64_t frame, const std::function<void()>& step);
+    /// Shows one of momentsBefore() a frame: its state, which is valid until the next call, and which it is.
+    using ShowMoment = std::function<void(const ParticleView&, const Moment&, uint32_t index)>;
+    /// The same, and shows moments on the way.
+    void advance(uint64_t frame, const std::function<void()>& step, const ShowMoment& show);
     /// Of the last frame that advance() or goOn() have come to; the first before that.
     ParticleView view();
     /// The same on the host; stalls until the GPU is done.
@@ -30,12 +35,14 @@ public:
     void goOn(uint64_t frame, const std::optional<BufferState>& state);
 
 private:
+    /// At a place counted in steps, not beyond the last one.
+    ParticleView viewAt(double place, uint64_t steps);
     bool isBetween() const { return place_.part < 1.0; }
 
     const Scene& scene_;
     Solver& solver_;
     FramePlace place_;
-    std::unique_ptr<BetweenSteps> between_;  ///< Null in a film without slow motion.
+    std::unique_ptr<BetweenSteps> between_;  ///< Null in a film without slow motion and shutter.
 };
 
 }  // namespace knuckle

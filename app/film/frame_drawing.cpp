@@ -7,7 +7,7 @@
 namespace knuckle {
 
 DrawingHere::DrawingHere(Gpu& gpu, const Scene& scene, const FrameSinks& sinks, bool timed)
-    : gpu_(gpu), sinks_(sinks), renderer_(gpu, scene.world, scene.render)
+    : gpu_(gpu), sinks_(sinks), draws_(drawsOf(scene.render)), renderer_(gpu, scene.world, scene.render)
 {
     if (timed) renderer_.timer().enable(gpu);
 }
@@ -16,7 +16,9 @@ void DrawingHere::take(const ParticleView& view, const Frame& frame)
 {
     if (!frame.drawn) return renderer_.look(view, frame.time);
     const Stopwatch watch(figures_.seconds);
-    renderer_.draw(view, frame.time);
+    if (frame.draw) renderer_.expose(view, frame.time, *frame.draw);
+    else renderer_.draw(view, frame.time);
+    if (frame.draw && *frame.draw + 1 < draws_) return;
     unread_ = frame;
     ++figures_.frames;
 }

@@ -16,10 +16,11 @@
 namespace knuckle {
 
 struct Frame {
-    uint64_t number = 1;  ///< As in frame_0001.png.
-    double time = 0.0;    ///< [s]
-    bool drawn = true;    ///< Otherwise only the camera sees it.
-    PngText labels = {};  ///< Of its file.
+    uint64_t number = 1;                ///< As in frame_0001.png.
+    double time = 0.0;                  ///< [s]
+    bool drawn = true;                  ///< Otherwise only the camera sees it.
+    std::optional<uint32_t> draw = {};  ///< The one of drawsOf() that this is; none: all.
+    PngText labels = {};                ///< Of its file.
 };
 
 using FrameSinks = std::vector<std::unique_ptr<FrameSink>>;
@@ -56,6 +57,7 @@ public:
 private:
     Gpu& gpu_;
     const FrameSinks& sinks_;
+    uint32_t draws_;  ///< Of a frame.
     Renderer renderer_;
     std::optional<Frame> unread_;  ///< The frame drawn last.
     DrawingFigures figures_;

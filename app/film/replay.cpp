@@ -62,6 +62,10 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
                 Exporters exporters)
 {
     requireSameWorld(states, scene);
+    if (scene.render.shutter > 0.0f)
+        throw InputError(fmt::format("render.shutter: {} has no moments between frames to be exposed to; take --set "
+                                     "render.shutter=0",
+                                     states.path()));
     if (needsOf(exporters).measures)
         throw InputError(fmt::format("--export measures: {} does not hold what they are measured from; export them in "
                                      "the run that simulates",
@@ -89,7 +93,7 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
         const bool drawn = range.has(frame) && outputs.wantsPicture(frame);
         const bool labelled = drawn && outputs.hasLabels();
         drawing.take(stored.upload(*record.view),
-                     {frame, time, drawn, labelled ? labelsOf(facts, frame, stateHash(*record.view)) : PngText()});
+                     {frame, time, drawn, {}, labelled ? labelsOf(facts, frame, stateHash(*record.view)) : PngText()});
         if (!wanted) continue;
         exportFrame(record, scene.world, outputs.needs, outputs.exporters);
         drawing.fetch();

@@ -51,7 +51,6 @@ template <>
 struct EnumWords<ColorBy> {
     static constexpr std::array WORDS{"body", "material", "particle", "speed"};
 };
-
 template <>
 struct EnumWords<FieldKind> {
     static constexpr std::array WORDS{"pull", "push", "swirl", "blow"};
@@ -79,6 +78,11 @@ struct EnumWords<FloorLook> {
 template <>
 struct EnumWords<ToneMap> {
     static constexpr std::array WORDS{"film", "neutral", "agx", "linear"};
+};
+
+template <>
+struct EnumWords<Quality> {
+    static constexpr std::array WORDS{"draft", "good", "final"};
 };
 
 template <typename T>
@@ -215,7 +219,7 @@ void visitFields(Collider& c, Visitor&& visit)
     visit("finish", c.finish.word);
 }
 
-/// All except keys, shake and whom it frames or looks at.
+/// All except keys, shake and whom it frames, looks at or has sharp.
 template <typename Visitor>
 void visitFields(CameraSettings& c, Visitor&& visit)
 {
@@ -228,6 +232,8 @@ void visitFields(CameraSettings& c, Visitor&& visit)
     visit("orbitSpeed", c.orbitSpeed);
     visit("follow", c.follow);
     visit("fill", c.fill);
+    visit("aperture", c.aperture);
+    visit("focus", c.focus);
 }
 
 template <typename Visitor>
@@ -248,7 +254,7 @@ void visitFields(LightSettings& l, Visitor&& visit)
     visit("bounce", l.bounce);
 }
 
-/// Camera and lights are separate documents in a scene; without the background.
+/// Camera and lights are separate documents in a scene; without the background and fog.
 template <typename Visitor>
 void visitFields(RenderSettings& r, Visitor&& visit)
 {
@@ -261,6 +267,11 @@ void visitFields(RenderSettings& r, Visitor&& visit)
     visit("exposure", r.exposure);
     visit("toneMap", r.toneMap);
     visit("antialiasing", r.antialiasing);
+    visit("quality", r.quality);
+    visit("samples", r.samples);
+    visit("shutter", r.shutter);
+    visit("bloom", r.bloom);
+    visit("vignette", r.vignette);
 }
 
 template <typename T>

@@ -2,7 +2,7 @@
 
 namespace knuckle {
 
-Defines displayDefines(const RenderSettings& settings)
+Defines curveDefines(const RenderSettings& settings)
 {
     switch (settings.toneMap) {
         case ToneMap::Film: break;
@@ -11,6 +11,12 @@ Defines displayDefines(const RenderSettings& settings)
         case ToneMap::Linear: return {{"TONE_LINEAR", "1"}};
     }
     return {};
+}
+
+Defines displayDefines(const RenderSettings& settings)
+{
+    return joined({curveDefines(settings), hasLens(settings) ? Defines{{"LINEAR_LIGHT", "1"}} : Defines{},
+                   settings.fog.density > 0.0f ? Defines{{"FOG", "1"}} : Defines{}});
 }
 
 Defines skyDefines(const RenderSettings& settings)

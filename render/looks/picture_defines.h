@@ -5,7 +5,9 @@
 
 namespace knuckle {
 
-/// What shaders are compiled with that turn light into displayed colours.
+/// The curve that turns light into displayed colours.
+Defines curveDefines(const RenderSettings& settings);
+/// What shaders are compiled with that write light, or displayed colours: curve and fog.
 Defines displayDefines(const RenderSettings& settings);
 /// Of shaders that ask for the sky.
 Defines skyDefines(const RenderSettings& settings);

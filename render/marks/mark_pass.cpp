@@ -17,14 +17,15 @@ std::vector<gpu::vec4> allOf(const Marks& marks)
 
 }  // namespace
 
-MarkPass::MarkPass(const Gpu& gpu, BufferTable& table, const Marks& marks, const RenderTargets& targets)
+MarkPass::MarkPass(const Gpu& gpu, BufferTable& table, const Marks& marks, const RenderTargets& targets,
+                   const Defines& shown)
     : corners_("markCorners", allOf(marks)), fanCorners_(static_cast<uint32_t>(marks.fans.size() / MARK_TEXELS)),
       lineCorners_(static_cast<uint32_t>(marks.lines.size() / MARK_TEXELS))
 {
     if (corners_.size() == 0) return;
     table.add(Lifetime::Constant, corners_);
     const auto pass = [&] {
-        return DrawPass(gpu, table, {"marks/mark", "marks/mark"},
+        return DrawPass(gpu, table, {"marks/mark", "marks/mark", shown},
                         {"frame", "view", "markCorners", "bodyCentres", "bodyRotations"}, targets.lighting);
     };
     fans_ = pass();

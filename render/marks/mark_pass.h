@@ -10,7 +10,9 @@ namespace knuckle {
 class MarkPass {
 public:
     /// @param table must have "frame", "view", "bodyCentres" and "bodyRotations".
-    MarkPass(const Gpu& gpu, BufferTable& table, const Marks& marks, const RenderTargets& targets);
+    /// @param shown what shaders are compiled with that write displayed colours.
+    MarkPass(const Gpu& gpu, BufferTable& table, const Marks& marks, const RenderTargets& targets,
+             const Defines& shown);
     MarkPass(const MarkPass&) = delete;
     MarkPass& operator=(const MarkPass&) = delete;
 

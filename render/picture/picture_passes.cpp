@@ -4,9 +4,17 @@
 
 namespace knuckle {
 
+namespace {
+
+/// So many draws of a frame, each a part of a pixel beside the others, smooth edges by themselves.
+constexpr uint32_t DRAWS_THAT_SMOOTH = 4;
+
+}  // namespace
+
 PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& targets, const RenderSettings& settings,
                              const Defines& looks, bool isMirror)
-    : targets_(targets), isResolved_(targets.resolved.id() != 0), isMirror_(isMirror)
+    : targets_(targets), isResolved_(targets.resolved.id() != 0), isMirror_(isMirror),
+      smooths_(drawsOf(settings) < DRAWS_THAT_SMOOTH)
 {
     const Defines covering = targets.isTransparent() ? Defines{{"TRANSPARENT", "1"}} : Defines{};
     const Defines fluids = targets.hasSurfaces() ? Defines{{"FLUIDS", "1"}} : Defines{};
@@ -44,7 +52,8 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
             ? DrawPass(gpu, table, edges, {"frame", "litPicture", "shadePicture", "coverPicture"}, targets.edges)
             : DrawPass(gpu, table, edges, {"frame", "litPicture", "shadePicture"}, targets.edges);
     if (!isResolved_) return;
-    const DrawShaders resolve{"picture/screen", "picture/resolve", covering};
+    const bool isDraft = settings.quality == Quality::Draft;
+    const DrawShaders resolve{"picture/screen", isDraft ? "picture/enlarge" : "picture/resolve", covering};
     resolve_ = targets.isTransparent() ? DrawPass(gpu, table, resolve,
                                                   {"frame", "smoothedPicture", "smoothedCoverPicture"}, targets.resolve)
                                        : DrawPass(gpu, table, resolve, {"frame", "smoothedPicture"}, targets.resolve);
@@ -72,7 +81,7 @@ void PicturePasses::drawSmooth(KernelTimer& timer) const
     targets_.smoothed.copy(targets_.lit);
     if (targets_.isTransparent()) targets_.smoothedCover.copy(targets_.cover);
     const auto tiles = [](uint32_t pixels) { return (pixels + EDGE_TILE - 1) / EDGE_TILE; };
-    edgeFilter_.draw(timer, GL_POINTS, tiles(targets_.lit.width()) * tiles(targets_.lit.height()));
+    if (smooths_) edgeFilter_.draw(timer, GL_POINTS, tiles(targets_.lit.width()) * tiles(targets_.lit.height()));
     if (isResolved_) resolve_.drawScreen(timer);
 }
 

@@ -23,14 +23,14 @@ public:
     void drawLighting(KernelTimer& timer) const;
     /// The same, except ground and sky, half transparent over the existing colours.
     void drawVeil(KernelTimer& timer) const { veil_.drawScreen(timer); }
-    /// Smooths edges, then averages the samples of each pixel, if there are several.
+    /// Smooths edges, unless several draws do. Then averages the samples of each pixel, or enlarges a draft.
     void drawSmooth(KernelTimer& timer) const;
     /// The finished frame.
     const Framebuffer& result() const { return isResolved_ ? targets_.resolve : targets_.edges; }
 
 private:
     RenderTargets& targets_;
-    bool isResolved_, isMirror_;
+    bool isResolved_, isMirror_, smooths_;
     DrawPass occlusion_, lighting_, mirror_, veil_, edgeFilter_, resolve_;
 };
 

@@ -2,15 +2,25 @@
 
 namespace knuckle {
 
-RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces, bool isTransparent)
+uint32_t shadowSize(const RenderSettings& settings)
 {
-    const uint32_t w = width * factor, h = height * factor, halfW = (w + 1) / 2, halfH = (h + 1) / 2;
+    return settings.quality == Quality::Draft ? 512 : 1024;
+}
+
+RenderTargets::RenderTargets(const RenderSettings& settings, bool hasSurfaces)
+{
+    const DrawnSize drawn = drawnSize(settings);
+    const uint32_t factor = settings.antialiasing, w = drawn.width * factor, h = drawn.height * factor;
+    const uint32_t halfW = (w + 1) / 2, halfH = (h + 1) / 2, shadowed = shadowSize(settings);
+    const bool isTransparent = settings.background == Background::Transparent;
+    const bool isDraft = settings.quality == Quality::Draft;
+    const GLenum color = hasLens(settings) ? GL_RGBA16F : GL_RGBA8;
     surface = Texture("surfacePicture", GL_RG32UI, w, h);
     depth = Texture("depthPicture", GL_DEPTH_COMPONENT32F, w, h);
-    shadow = Texture("shadowPicture", GL_DEPTH_COMPONENT32F, SHADOW_SIZE, SHADOW_SIZE);
+    shadow = Texture("shadowPicture", GL_DEPTH_COMPONENT32F, shadowed, shadowed);
     shade = Texture("shadePicture", GL_R32UI, halfW, halfH);
-    lit = Texture("litPicture", GL_RGBA8, w, h, GL_LINEAR);
-    smoothed = Texture("smoothedPicture", GL_RGBA8, w, h);
+    lit = Texture("litPicture", color, w, h, GL_LINEAR);
+    smoothed = Texture("smoothedPicture", color, w, h, isDraft ? GL_LINEAR : GL_NEAREST);
     geometry = Framebuffer("geometry", {&surface}, &depth);
     shadowMap = Framebuffer("shadow map", {}, &shadow);
     occlusion = Framebuffer("occlusion", {&shade}, nullptr);
@@ -23,8 +33,8 @@ RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, b
         lighting = Framebuffer("lighting", {&lit}, nullptr);
         edges = Framebuffer("edge filter", {&smoothed}, nullptr);
     }
-    if (factor > 1 || isTransparent) {
-        resolved = Texture("resolvedPicture", GL_RGBA8, width, height);
+    if (factor > 1 || isTransparent || isDraft) {
+        resolved = Texture("resolvedPicture", color, settings.width, settings.height);
         resolve = Framebuffer("resolve", {&resolved}, nullptr);
     }
     wet = Framebuffer("wet", {&smoothed}, nullptr);
@@ -47,6 +57,7 @@ RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, b
 void RenderTargets::addTo(BufferTable& table) const
 {
     table.add(surface, depth, shadow, shade, lit, smoothed);
+    if (resolved.id() != 0) table.add(resolved);
     if (isTransparent()) table.add(cover, smoothedCover);
     if (hasSurfaces()) table.add(fluidDepth, fluidWide, fluidSmooth, fluidTint, fluidGlow, fluidShadow, foam);
 }

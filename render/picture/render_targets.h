@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "render/settings.h"
 #include "sim/gpu/buffer_table.h"
 #include "sim/gpu/texture.h"
 
@@ -9,9 +10,8 @@ namespace knuckle {
 
 /// All textures that a frame is drawn into. Filters read them by their labels.
 struct RenderTargets {
-    /// @param factor samples per axis and pixel. @param hasSurfaces  Whether surfaces of fluids are drawn.
-    /// @param isTransparent  Whether the frame says what of a pixel anything covers.
-    RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces, bool isTransparent);
+    /// @param hasSurfaces  Whether surfaces of fluids are drawn.
+    RenderTargets(const RenderSettings& settings, bool hasSurfaces);
 
     /// So that passes find the textures.
     void addTo(BufferTable& table) const;
@@ -21,9 +21,9 @@ struct RenderTargets {
     Texture surface, depth;          ///< Normals and colours, and depth, of the visible surfaces.
     Texture shadow;                  ///< Depth as seen by the key light.
     Texture shade;                   ///< Half resolution: see shade.glsl.
-    Texture lit, smoothed;           ///< As displayed, before and after edges are smoothed.
+    Texture lit, smoothed;           ///< As displayed, or light (hasLens()), before and after edges are smoothed.
     Texture cover, smoothedCover;    ///< Of transparent frames: what of each pixel is covered.
-    Texture resolved;                ///< The frame, if there are several samples a pixel or it is transparent.
+    Texture resolved;                ///< The frame, if there are several samples a pixel, it is transparent or a draft.
     Texture fluidDepth;              ///< Depth of the nearest fluid.
     Texture fluidWide, fluidSmooth;  ///< View depth of its surface, smoothed along rows, and along columns too [m].
     Texture fluidTint, fluidGlow;    ///< Half resolution: fluid_tint.frag.
@@ -34,7 +34,7 @@ struct RenderTargets {
 };
 
 /// Texels per side of the shadow map.
-inline constexpr uint32_t SHADOW_SIZE = 1024;
+uint32_t shadowSize(const RenderSettings& settings);
 /// The same of the shadow map of fluids: their shadows are soft.
 inline constexpr uint32_t FLUID_SHADOW_SIZE = 256;
 

@@ -135,7 +135,8 @@ Camera::Camera(const CameraSettings& settings, const World& world, float aspect)
 
 CameraAim Camera::at(double time) const
 {
-    CameraPose pose{settings_.position, settings_.target, settings_.fieldOfView, settings_.roll};
+    CameraPose pose{settings_.position, settings_.target,   settings_.fieldOfView,
+                    settings_.roll,     settings_.aperture, settings_.focus};
     if (!settings_.keys.empty()) pose = poseAt(settings_.keys, time);
     if (orbitSpeed_ != 0.0f) {
         const auto turn = static_cast<float>(std::remainder(orbitSpeed_ * time, 2.0 * std::numbers::pi));
@@ -144,8 +145,12 @@ CameraAim Camera::at(double time) const
     }
     // Keys may cross: then it looks along -z for a moment instead of nowhere.
     if ((pose.position - pose.target).norm() < 1e-6f) pose.target = pose.position - Vector3f::UnitZ();
-    CameraAim aim{
-        pose.position, pose.target, {0.0f, 0.0f, pose.roll * DEGREE}, std::tan(0.5f * pose.fieldOfView * DEGREE)};
+    CameraAim aim{.position = pose.position,
+                  .target = pose.target,
+                  .turn = {0.0f, 0.0f, pose.roll * DEGREE},
+                  .tanHalfFov = std::tan(0.5f * pose.fieldOfView * DEGREE),
+                  .aperture = pose.aperture,
+                  .focus = pose.focus};
     if (settings_.shake.amplitude > 0.0f) aim.turn += shakeAt(settings_.shake, time);
     return aim;
 }

@@ -25,6 +25,8 @@ struct CameraAim {
     Vector3f position, target;  ///< [m]
     Vector3f turn;              ///< To the left, up, and counter-clockwise, after it is aimed [rad].
     float tanHalfFov = 0.0f;    ///< Vertical.
+    float aperture = 0.0f;      ///< [m], as CameraSettings::aperture.
+    float focus = 0.0f;         ///< [m], as CameraSettings::focus.
 };
 
 /// Bodies one after another.

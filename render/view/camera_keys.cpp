@@ -6,12 +6,13 @@ namespace knuckle {
 
 namespace {
 
-using Values = Eigen::Array<double, 8, 1>;
+using Values = Eigen::Array<double, 10, 1>;
 
 Values valuesOf(const CameraKey& key)
 {
     Values values;
-    values << key.position.cast<double>().array(), key.target.cast<double>().array(), key.fieldOfView, key.roll;
+    values << key.position.cast<double>().array(), key.target.cast<double>().array(), key.fieldOfView, key.roll,
+        key.aperture, key.focus;
     return values;
 }
 
@@ -62,8 +63,8 @@ Values valuesAt(std::span<const CameraKey> keys, double time)
 
 CameraPose poseAt(std::span<const CameraKey> keys, double time)
 {
-    const Eigen::Array<float, 8, 1> values = valuesAt(keys, time).cast<float>();
-    return {values.segment<3>(0), values.segment<3>(3), values[6], values[7]};
+    const Eigen::Array<float, 10, 1> values = valuesAt(keys, time).cast<float>();
+    return {values.segment<3>(0), values.segment<3>(3), values[6], values[7], values[8], values[9]};
 }
 
 }  // namespace knuckle

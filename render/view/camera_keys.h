@@ -9,9 +9,10 @@ namespace knuckle {
 
 /// All of a camera that keys change.
 struct CameraPose {
-    Eigen::Vector3f position, target;  ///< [m]
-    float fieldOfView = 40.0f;         ///< Vertical [degrees].
-    float roll = 0.0f;                 ///< [degrees]
+    Eigen::Vector3f position, target;     ///< [m]
+    float fieldOfView = 40.0f;            ///< Vertical [degrees].
+    float roll = 0.0f;                    ///< [degrees]
+    float aperture = 0.0f, focus = 0.0f;  ///< [m]
 };
 
 /// The camera at a time of the film [s]: passes through every key, and stays before the first and after the last.

@@ -23,22 +23,24 @@ FramedSets framedSets(const std::vector<Shot>& shots, const World& world)
 {
     FramedSets sets;
     std::vector<std::vector<std::pair<uint32_t, uint32_t>>> known;
-    for (const Shot& shot : shots) {
-        const CameraSettings& camera = shot.camera;
-        if (camera.attention == CameraAttention::None) {
-            sets.bits.push_back(0);
-            continue;
-        }
-        const auto numbers = numbersOf(camera.named);
+    const auto bitOf = [&](const std::vector<ParticleRange>& ranges) -> uint32_t {
+        if (ranges.empty()) return 0;
+        const auto numbers = numbersOf(ranges);
         const auto found = std::ranges::find(known, numbers);
         const auto set = static_cast<size_t>(found - known.begin());
         if (set == 32) throw InputError("shots: cameras frame more than 32 different choices of objects; use fewer");
-        sets.bits.push_back(1u << set);
-        if (found != known.end()) continue;
+        const uint32_t bit = 1u << set;
+        if (found != known.end()) return bit;
         known.push_back(numbers);
         sets.words.resize(world.particles.size());
         for (const auto& [first, end] : numbers)
-            for (uint32_t p = first; p < end; ++p) sets.words.at(p) |= sets.bits.back();
+            for (uint32_t p = first; p < end; ++p) sets.words.at(p) |= bit;
+        return bit;
+    };
+    for (const Shot& shot : shots) {
+        const CameraSettings& camera = shot.camera;
+        sets.bits.push_back(camera.attention == CameraAttention::None ? 0 : bitOf(camera.named));
+        sets.sharp.push_back(bitOf(camera.focused));
     }
     return sets;
 }

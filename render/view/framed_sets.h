@@ -10,9 +10,10 @@
 
 namespace knuckle {
 
-/// The particles that the cameras of a film frame or look at, as sets with a bit each.
+/// The particles that the cameras of a film frame, look at or have sharp, as sets with a bit each.
 struct FramedSets {
     std::vector<uint32_t> bits = {};   ///< Per camera: its set's bit; 0: it goes by all particles.
+    std::vector<uint32_t> sharp = {};  ///< The same of those that are sharp; 0: nobody is asked for.
     std::vector<uint32_t> words = {};  ///< Per particle: the bits of its sets. Empty: there are no sets.
 };
 

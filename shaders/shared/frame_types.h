@@ -48,6 +48,9 @@ struct FrameInput {
     vec4 shadowLimitHigh;
     vec4 solidLow;              // xyz [m]: bounds of the colliders that cast shadows; low > high for none
     vec4 solidHigh;
+    vec4 lens;                  // xy: how far the picture is shifted [NDC]; zw: place on the lens, right and up [m]
+    vec4 fog;                   // rgb; w: density at the ground's height [1/m]
+    vec4 develop;               // x: share of one draw; y: bloom; z: vignette; w: how fast fog thins upwards [1/m]
     uint width;                 // of the drawn picture, before the resolve [pixels]
     uint height;
     uint particleCount;
@@ -72,6 +75,10 @@ struct FrameInput {
     uint cameraPlaneCount;
     float cameraClearance;      // least distance of the camera from each of cameraPlanes [m]
     float frameShare;           // of the picture, that framed things may fill
+    float focusDistance;        // along the camera's axis [m]; 0: what it looks at, or those of focusBit
+    uint focusBit;              // of framedParticles: those whose middle is sharp; 0: none
+    float lensUnused0;
+    float lensUnused1;
 };
 
 // A moment between two steps.
@@ -96,18 +103,20 @@ struct ParticleBounds {
     vec4 framedHigh;
     vec4 framedMost;            // of the same: x + y + z, -x + y + z, x - y + z, x + y - z [m]
     vec4 framedLeast;
+    vec4 focusLow;              // xyz [m]: of those of FrameInput::focusBit
+    vec4 focusHigh;
 };
 
 // Values that frame_camera.comp and frame_view.comp compute from both on the GPU.
 struct FrameView {
-    vec4 cameraRight;           // xyz; w unused
-    vec4 cameraUp;
-    vec4 cameraBack;
+    vec4 cameraRight;           // xyz; w: how far the picture is shifted to the right [NDC]
+    vec4 cameraUp;              // xyz; w: the same upwards
+    vec4 cameraBack;            // xyz; w: distance of what is sharp [m]; kept from frame to frame
     vec4 cameraPosition;
     vec4 lightRight;            // axes of the shadow map's view, world space
     vec4 lightUp;
     vec4 lightCentre;           // xyz; w: half the side of the square it covers [m]
-    vec4 lightDepth;            // x: half the depth range [m]
+    vec4 lightDepth;            // x: half the depth range [m]; yzw: the middle of the camera's lens
     vec4 cellOrigin;            // xyz [m]: lowest corner of the burial grid
     vec4 cellSize;              // xyz [m]; w: space of particles from which on a cell counts as full
     vec4 viewToLightX;          // light clip coordinates from view space: dot(xyz, p) + w

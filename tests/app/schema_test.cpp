@@ -68,10 +68,10 @@ TEST(Schema, DefaultsAreThoseOfTheStructs)
 {
     expectSameDefaults<Settings>("solver", {"preset"});
     expectSameDefaults<Material>("material", {"roughness", "metalness"});
-    expectSameDefaults<CameraSettings>("camera", {"frame", "lookAt", "keys", "shake"});
+    expectSameDefaults<CameraSettings>("camera", {"frame", "lookAt", "focusOn", "keys", "shake"});
     expectSameDefaults<CameraShake>("cameraShake");
     expectSameDefaults<LightSettings>("light", {"sky", "turbidity", "color", "skyColor", "groundColor"});
-    expectSameDefaults<RenderSettings>("render", {"camera", "background"});
+    expectSameDefaults<RenderSettings>("render", {"camera", "background", "fog"});
     expectSameDefaults<Collider>("planeCollider", {"type", "rotation", "motion", "roughness", "metalness", "floor"});
 }
 
@@ -82,6 +82,7 @@ TEST(Schema, WordsAreThoseOfTheEnums)
     expectSameWords<GridKind>("solver", "grid");
     expectSameWords<ReductionKind>("solver", "reduction");
     expectSameWords<VelocityOrder>("solver", "velocityOrder");
+    expectSameWords<Quality>("render", "quality");
     expectSameWords<CameraKind>("camera", "kind");
     expectSameWords<Easing>("cameraKey", "easing");
     expectSameWords<ColorBy>("render", "colorBy");

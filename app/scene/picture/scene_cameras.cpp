@@ -44,6 +44,7 @@ public:
         camera.shake = readFields<CameraShake>(json["shake"]);
         if (camera.kind == CameraKind::Follow) follow(camera, pointer);
         attend(camera, json, pointer);
+        focusOn(camera, json["focusOn"], pointer);
         readKeys(camera, json["keys"], pointer + "/keys");
         if (camera.kind != CameraKind::Fixed && !camera.keys.empty())
             fail(pointer + "/keys", "are for a camera of kind \"fixed\"; take one of them away");
@@ -85,6 +86,14 @@ private:
             fail(pointer + "/automatic", "must be false with `lookAt`: give a position, or `frame` instead");
     }
 
+    void focusOn(CameraSettings& camera, const Json& patterns, const std::string& pointer) const
+    {
+        for (size_t i = 0; i < patterns.size(); ++i) addNamed(camera.focused, patterns[i], pointer + "/focusOn", i);
+        if (!patterns.empty() && camera.focus > 0.0f)
+            fail(pointer + "/focusOn",
+                 "is given beside `focus`, which says what is sharp as well; take one of them away");
+    }
+
     void addNamed(std::vector<ParticleRange>& named, const std::string& pattern, const std::string& where,
                   size_t index) const
     {
@@ -101,7 +110,9 @@ private:
         CameraKey key{.position = camera.position,
                       .target = camera.target,
                       .fieldOfView = camera.fieldOfView,
-                      .roll = camera.roll};
+                      .roll = camera.roll,
+                      .aperture = camera.aperture,
+                      .focus = camera.focus};
         for (size_t i = 0; i < json.size(); ++i) {
             const auto read = [&](const char* field, auto& value) {
                 if (json[i].contains(field)) readValue(json[i][field], value);
@@ -111,12 +122,18 @@ private:
             read("target", key.target);
             read("fieldOfView", key.fieldOfView);
             read("roll", key.roll);
+            read("aperture", key.aperture);
+            read("focus", key.focus);
             read("easing", key.easing);
             const std::string where = fmt::format("{}/{}", pointer, i);
             if (!camera.keys.empty() && key.time <= camera.keys.back().time)
                 fail(where + "/time", "must be after that of the key before");
             if (camera.attention != CameraAttention::LookAt && (key.position - key.target).norm() < 1e-6f)
                 fail(where, "has the camera where it looks; move `position` or `target`");
+            if (!camera.keys.empty() && (key.focus > 0.0f) != (camera.keys.front().focus > 0.0f))
+                fail(where + "/focus", "has a distance at some keys only; give `focus` in all keys, or in the camera");
+            if (key.focus > 0.0f && !camera.focused.empty())
+                fail(where + "/focus", "is given beside `focusOn`; take one of them away");
             camera.keys.push_back(key);
         }
     }

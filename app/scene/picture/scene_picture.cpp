@@ -17,11 +17,19 @@ void readBackground(const Json& json, RenderSettings& render)
     readValue(json, render.backgroundColor);
 }
 
+void readFog(const Json& json, FogSettings& fog)
+{
+    readValue(json["density"], fog.density);
+    readValue(json["color"], fog.color);
+    readValue(json["falloff"], fog.falloff);
+}
+
 }  // namespace
 
 RenderSettings readPicture(const JsonFile& file, const World& world, const NamedParticles& particles, SceneFiles& files)
 {
     RenderSettings render = readFields<RenderSettings>(file.root["render"]);
+    readFog(file.root["render"]["fog"], render.fog);
     render.light = readLight(file, files);
     render.lights = readLights(file);
     readBackground(file.root["render"]["background"], render);

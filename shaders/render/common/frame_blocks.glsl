@@ -19,11 +19,25 @@ vec3 directionToWorld(vec3 v)
     return v.x * view.cameraRight.xyz + v.y * view.cameraUp.xyz + v.z * view.cameraBack.xyz;
 }
 
+// How far the picture is shifted: by a part of a pixel, and so that what is sharp stays where it is from all places of
+// the lens [NDC].
+vec2 pictureShift()
+{
+    return vec2(view.cameraRight.w, view.cameraUp.w);
+}
+
 // The ray through a window coordinate, in view space, with z = -1: multiplied by a view depth it gives the point.
 vec3 viewRay(vec2 windowPosition)
 {
-    vec2 ndc = 2.0 * windowPosition / vec2(frame.width, frame.height) - 1.0;
+    vec2 ndc = 2.0 * windowPosition / vec2(frame.width, frame.height) - 1.0 - pictureShift();
     return vec3(ndc * frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0), -1.0);
+}
+
+// The window coordinate of a point, as texture coordinate.
+vec2 pictureOf(vec3 p)
+{
+    vec2 extent = frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
+    return 0.5 * p.xy / (max(-p.z, 1e-6) * extent) + 0.5 + 0.5 * pictureShift();
 }
 
 // Clip position of a view-space point. Depth is linear: 0 at the eye, 1 at farDepth; fragments write it themselves if
@@ -32,7 +46,8 @@ vec4 projectView(vec3 p)
 {
     float depth = -p.z;
     float aspect = float(frame.width) / float(frame.height);
-    return vec4(p.x / (frame.tanHalfFov * aspect), p.y / frame.tanHalfFov,
+    vec2 shift = depth * pictureShift();
+    return vec4(p.x / (frame.tanHalfFov * aspect) + shift.x, p.y / frame.tanHalfFov + shift.y,
                 (2.0 * depth / frame.farDepth - 1.0) * depth, depth);
 }
 

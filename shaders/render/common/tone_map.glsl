@@ -24,3 +24,22 @@ vec3 lightOf(vec3 shown)
     return (sqrt(b * b + 4.0 * a * c) - b) / (2.0 * a) + 0.004;
 }
 #endif
+
+// What passes write of light, and the way back: displayed colours, or light itself where pictures are developed later.
+#ifdef LINEAR_LIGHT
+vec3 written(vec3 light) { return light; }
+vec3 lightIn(vec3 color) { return color; }
+vec3 shownOf(vec3 color) { return displayed(color); }
+vec3 writtenAs(vec3 shown) { return lightOf(shown); }
+#else
+vec3 written(vec3 light) { return displayed(light); }
+vec3 lightIn(vec3 color) { return lightOf(color); }
+vec3 shownOf(vec3 color) { return color; }
+vec3 writtenAs(vec3 shown) { return shown; }
+#endif
+
+// As the eye sees it, of what is written.
+float lightness(vec3 color)
+{
+    return dot(shownOf(color), vec3(0.299, 0.587, 0.114));
+}

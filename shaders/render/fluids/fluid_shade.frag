@@ -1,5 +1,6 @@
 // The surface of fluid over the lit picture: what is seen through it, bent (Snell) and dimmed (Beer and Lambert), what
 // comes back from inside, and what it mirrors (Fresnel, Schlick 1994).
+#include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/sky.glsl"
 #include "render/common/tone_map.glsl"
@@ -34,13 +35,6 @@ vec3 slopeAlong(ivec2 pixel, ivec2 way, vec3 here, inout float crease, inout flo
     turned += 4.0 * bend * bend;
     if (max(sizes.x, sizes.y) < 1.5 * frame.fluidRadius) return 0.5 * (ahead + behind);
     return sizes.x < sizes.y ? ahead : behind;
-}
-
-/// The window coordinate of a point, as texture coordinate.
-vec2 pictureOf(vec3 p)
-{
-    vec2 extent = frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
-    return 0.5 * p.xy / (max(-p.z, 1e-6) * extent) + 0.5;
 }
 
 /// How far behind a bent ray things are, where it has gone that far [m]. @param place  There, as a texture coordinate.
@@ -81,7 +75,11 @@ void main()
     vec2 at = gl_FragCoord.xy / vec2(frame.width, frame.height);
     vec4 tint = textureLod(fluidTintPicture, at, 0.0), glow = textureLod(fluidGlowPicture, at, 0.0);
     vec2 place = seenThrough(p, refract(-toEye, n, REFRACTION), pixel, 1.3 * glow.a + frame.fluidRadius);
-    vec3 behind = lightOf(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w;
+    vec3 behind = lightIn(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w;
+#ifdef FOG   // what is before the fluid comes last
+    float clear = clearShare(p, length(p));
+    behind = max(mix(frame.fog.rgb, behind, 1.0 / max(clear, 0.05)), 0.0);
+#endif
     vec3 through = behind * exp(-tint.rgb - tint.a);
     float key = max(0.7 * dot(n, view.keyInView.xyz) + 0.3, 0.0);
     vec3 light = 0.4 * key * frame.keyColor.rgb +
@@ -93,8 +91,10 @@ void main()
     // more than that: edges at walls would have a bright rim.
     float sharpness = 1.0 / (1.0 / SUN_SHARPNESS + turned), dimmed = sharpness / SUN_SHARPNESS;
     float glint = 0.8 * dimmed * dimmed * pow(max(dot(mirror, view.keyInView.xyz), 0.0), sharpness);
-    vec3 sky = skyTowards(mirror);
-    vec3 radiance = mix(through + back, sky, mirrored) + glint * frame.keyColor.rgb;
-    vec3 color = displayed(radiance * frame.groundColor.w);
-    picture = vec4(color, dot(color, vec3(0.299, 0.587, 0.114)));
+    vec3 radiance = mix(through + back, skyTowards(mirror), mirrored) + glint * frame.keyColor.rgb;
+#ifdef FOG
+    radiance = mix(frame.fog.rgb, radiance, clear);
+#endif
+    vec3 color = written(radiance * frame.groundColor.w);
+    picture = vec4(color, lightness(color));
 }

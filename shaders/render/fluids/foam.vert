@@ -1,5 +1,6 @@
 // One point per point of foam, at least as large as keeps it from flickering, and then the fainter: how white it makes
 // what is behind it. Fluid before it dims it. What is behind things is left out.
+#include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/fluid_kind.glsl"
 #include "render/common/fluid_looks.glsl"
@@ -56,7 +57,11 @@ void main()
     // The profile of foam.frag has a third of a disc's area.
     vec3 through = throughWater(depth, pixel);
     float coverage = 3.0 * part * part * place.w;
-    foam = vec4(lightAt(centre) * through, 1.0) * coverage * dot(through, vec3(1.0 / 3.0));
+    vec3 light = lightAt(centre) * through;
+#ifdef FOG
+    light = mix(frame.fog.rgb, light, clearShare(centre, length(centre)));
+#endif
+    foam = vec4(light, 1.0) * coverage * dot(through, vec3(1.0 / 3.0));
     gl_PointSize = 2.0 * drawn;
     gl_Position = seen ? vec4(ndc, 0.0, 1.0) : NOWHERE;
 }

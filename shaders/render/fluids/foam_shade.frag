@@ -11,7 +11,7 @@ void main()
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec4 foam = texelFetch(foamPicture, pixel, 0);
     if (foam.a <= 1e-3) discard;
-    vec3 behind = lightOf(texelFetch(litPicture, pixel, 0).rgb) / frame.groundColor.w;
-    vec3 color = displayed(mix(foam.rgb / foam.a, behind, exp(-foam.a)) * frame.groundColor.w);
-    picture = vec4(color, dot(color, vec3(0.299, 0.587, 0.114)));
+    vec3 behind = lightIn(texelFetch(litPicture, pixel, 0).rgb) / frame.groundColor.w;
+    vec3 color = written(mix(foam.rgb / foam.a, behind, exp(-foam.a)) * frame.groundColor.w);
+    picture = vec4(color, lightness(color));
 }

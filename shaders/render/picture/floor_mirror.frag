@@ -1,5 +1,6 @@
 // Polished ground over the lit picture: what the ray that it mirrors meets in the picture, else the sky. What the
 // camera does not see, as the undersides of things, is not mirrored either: its front is, or the sky.
+#include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/sky.glsl"
 #include "render/common/surface.glsl"
@@ -16,12 +17,6 @@ const int HALVINGS = 6;
 // Shares that are mirrored straight on and more of along the ground.
 const float STRAIGHT = 0.22;
 const float GRAZING = 0.70;
-
-vec2 pictureOf(vec3 p)
-{
-    vec2 extent = frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
-    return 0.5 * p.xy / (max(-p.z, 1e-6) * extent) + 0.5;
-}
 
 // How far behind what is in the picture a point is [m].
 float behind(vec3 p)
@@ -68,13 +63,16 @@ void main()
     float along = met(p + 0.002 * -p.z * n, way);
     vec2 place = pictureOf(p + along * way);
     if (along > 0.0 && !isGround(texelFetch(surfacePicture, ivec2(place * vec2(frame.width, frame.height)), 0).xy)) {
-        vec3 seen = lightOf(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w;
+        vec3 seen = lightIn(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w;
         vec2 edge = clamp(12.0 * min(place, 1.0 - place), 0.0, 1.0);
         light = mix(light, seen, edge.x * edge.y);
     }
+#ifdef FOG
+    light = mix(frame.fog.rgb, light, clearShare(ray, depth * length(ray)));
+#endif
     float rest = 1.0 - max(dot(n, toEye), 0.0), rest2 = rest * rest, far = depth * length(ray) / frame.groundFade;
     float share = (STRAIGHT + GRAZING * rest2 * rest2 * rest) / (1.0 + far * far);
-    vec3 own = lightOf(texelFetch(litPicture, pixel, 0).rgb) / frame.groundColor.w;
-    vec3 color = displayed(mix(own, light, share) * frame.groundColor.w);
-    picture = vec4(color, dot(color, vec3(0.299, 0.587, 0.114)));
+    vec3 own = lightIn(texelFetch(litPicture, pixel, 0).rgb) / frame.groundColor.w;
+    vec3 color = written(mix(own, light, share) * frame.groundColor.w);
+    picture = vec4(color, lightness(color));
 }

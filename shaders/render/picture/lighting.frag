@@ -1,4 +1,5 @@
-// Lights the surfaces and paints the sky behind them; writes final colours.
+// Lights the surfaces and paints the sky behind them; writes final colours, or light.
+#include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 #include "render/common/sky.glsl"
@@ -27,13 +28,17 @@ void main()
     float far = depth * length(ray) / frame.groundFade;
     float haze = isGround(surface) ? far * far / (1.0 + far * far) : 0.0;
     vec3 radiance = depth >= frame.farDepth ? sky : mix(lit, backdropHaze(ray, lit), haze);
-    vec3 color = displayed(radiance * frame.groundColor.w);
+#ifdef FOG
+    bool isNothing = depth >= frame.farDepth;
+    radiance = mix(frame.fog.rgb, radiance, clearShare(ray, isNothing ? FAR_AWAY : depth * length(ray)));
+#endif
+    vec3 color = written(radiance * frame.groundColor.w);
 #ifdef TRANSPARENT
     cover = depth >= frame.farDepth ? 0.0 : 1.0 - haze;
     color *= cover;
 #endif
     // The edge filter compares lightness, as the eye sees it.
-    picture = vec4(color, dot(color, vec3(0.299, 0.587, 0.114)));
+    picture = vec4(color, lightness(color));
 #ifdef TRANSPARENT
     // Where nothing is, is darker than anything.
     picture.a = cover * (0.25 + 0.75 * picture.a);

@@ -15,7 +15,8 @@ uniform samplerBuffer bodyCentres;
 float nearestInSight(SkinWearer wearer)
 {
     vec2 slope = frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
-    vec2 length = sqrt(1.0 + slope * slope);
+    vec2 length = sqrt(1.0 + slope * slope), right = slope * (1.0 - pictureShift());
+    vec2 left = slope * (1.0 + pictureShift());
     float nearest = 1e30;
     bvec4 beyond = bvec4(true);
     bool behind = true;
@@ -26,7 +27,7 @@ float nearestInSight(SkinWearer wearer)
         vec3 p = toView(texelFetch(bodyCentres, body).xyz);
         nearest = min(nearest, -p.z - reach);
         behind = behind && p.z > reach;
-        vec4 outside = vec4(vec2(p.xy + p.z * slope), vec2(-p.xy + p.z * slope)) - reach * length.xyxy;
+        vec4 outside = vec4(vec2(p.xy + p.z * right), vec2(-p.xy + p.z * left)) - reach * length.xyxy;
         beyond = bvec4(uvec4(beyond) & uvec4(greaterThan(outside, vec4(0.0))));
     }
     return behind || any(beyond) ? -1.0 : max(nearest, 0.0);

@@ -15,8 +15,10 @@ bool isUnseen(uint particle) { return false; }
 #ifdef FRAMED
 layout(std430) readonly buffer FramedParticles { uint framedParticles[]; };   // a bit for each set of particles
 bool isFramed(uint particle) { return (framedParticles[particle] & frame.framedBit) != 0u; }
+bool isFocused(uint particle) { return (framedParticles[particle] & frame.focusBit) != 0u; }
 #else
 bool isFramed(uint particle) { return false; }
+bool isFocused(uint particle) { return false; }
 #endif
 
 void main()
@@ -25,6 +27,7 @@ void main()
     vec3 low = vec3(1e30), high = vec3(-1e30), sum = vec3(0.0), squares = vec3(0.0);
     vec3 framedLow = low, framedHigh = high;
     vec4 framedMost = vec4(-1e30), framedLeast = vec4(1e30);
+    vec3 focusLow = low, focusHigh = high;
     float count = 0.0;
     vec3 middle = 0.5 * (frame.shadowLimitLow.xyz + frame.shadowLimitHigh.xyz);
     for (uint i = thread; i < frame.particleCount; i += BOUNDS_THREADS) {
@@ -37,6 +40,10 @@ void main()
             framedMost = max(framedMost, across);
             framedLeast = min(framedLeast, across);
         }
+        if (isFocused(i)) {
+            focusLow = min(focusLow, p);
+            focusHigh = max(focusHigh, p);
+        }
         if (isUnseen(i)) continue;
         count += 1.0;
         low = min(low, p);
@@ -45,5 +52,6 @@ void main()
         squares += (p - middle) * (p - middle);
     }
     bounds[thread] = ParticleBounds(vec4(low, 0.0), vec4(high, 0.0), vec4(sum, count), vec4(squares, 0.0),
-                                    vec4(framedLow, 0.0), vec4(framedHigh, 0.0), framedMost, framedLeast);
+                                    vec4(framedLow, 0.0), vec4(framedHigh, 0.0), framedMost, framedLeast,
+                                    vec4(focusLow, 0.0), vec4(focusHigh, 0.0));
 }

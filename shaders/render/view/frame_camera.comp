@@ -13,6 +13,7 @@ layout(std430) buffer View { FrameView view; };
 
 #include "render/view/framed_box.glsl"
 #include "render/view/kept_whole.glsl"
+#include "render/view/focus.glsl"
 
 Box followedBox()
 {
@@ -90,6 +91,7 @@ void main()
     turn(right, up, frame.cameraTurn.z);
     view.cameraRight = vec4(right, 0.0);
     view.cameraUp = vec4(up, 0.0);
-    view.cameraBack = vec4(back, 0.0);
+    view.cameraBack = vec4(back, sharpDistance(eye, back));
     view.cameraPosition = vec4(eye, 0.0);
+    view.lightDepth.yzw = eye;
 }

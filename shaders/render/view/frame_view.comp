@@ -1,4 +1,5 @@
-// One thread fits the shadow map and the burial grid to the particles' bounds, for the camera that frame_camera aimed.
+// One thread fits the shadow map and the burial grid to the particles' bounds, for the camera that frame_camera aimed,
+// and puts the eye at its place on the lens.
 #include "render/common/frame.glsl"
 #include "render/view/axes.glsl"
 
@@ -31,9 +32,21 @@ vec4 shadedRectangle(vec3 mapCentre, vec3 lightRight, vec3 lightUp, float halfSi
     return vec4(middle - reach, middle + reach) / halfSide;
 }
 
+// What is sharp stays where it is in the picture.
+void placeOnLens(vec3 lens)
+{
+    vec2 slope = frame.tanHalfFov * vec2(float(frame.width) / float(frame.height), 1.0);
+    vec2 shift = frame.lens.xy + frame.lens.zw / (view.cameraBack.w * slope);
+    view.cameraRight.w = shift.x;
+    view.cameraUp.w = shift.y;
+    view.cameraPosition.xyz = lens + frame.lens.z * view.cameraRight.xyz + frame.lens.w * view.cameraUp.xyz;
+}
+
 void main()
 {
     vec3 right = view.cameraRight.xyz, up = view.cameraUp.xyz, back = view.cameraBack.xyz;
+    vec3 lens = view.lightDepth.yzw;
+    placeOnLens(lens);
     // Particles beyond the lit stage must not enlarge the shadow map.
     vec3 low = clamp(view.particleLow.xyz, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz);
     vec3 high = clamp(view.particleHigh.xyz, frame.shadowLimitLow.xyz, frame.shadowLimitHigh.xyz);
@@ -59,7 +72,7 @@ void main()
     view.lightRight = vec4(lightRight, 0.0);
     view.lightUp = vec4(lightUp, 0.0);
     view.lightCentre = vec4(centre, halfSide);
-    view.lightDepth = vec4(halfDepth);
+    view.lightDepth = vec4(halfDepth, lens);
     mat3 toCamera = transpose(mat3(right, up, back));
     vec3 offset = view.cameraPosition.xyz - centre;
     view.viewToLightX = vec4(toCamera * lightRight, dot(offset, lightRight)) / halfSide;
