@@ -10,14 +10,18 @@ namespace knuckle {
 namespace {
 
 /// Copies into `copy`, which is made on first use. @returns its name.
-GLuint copyVectors(GLuint source, uint32_t count, RawBuffer& copy, const char* label)
+GLuint copyBytes(GLuint source, size_t bytes, RawBuffer& copy, const char* label)
 {
-    const size_t bytes = count * sizeof(gpu::vec4);
     if (copy.id() == 0) copy = RawBuffer(label, bytes);
     glBindBuffer(GL_COPY_READ_BUFFER, source);
     glBindBuffer(GL_COPY_WRITE_BUFFER, copy.id());
     if (bytes > 0) glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
     return copy.id();
+}
+
+GLuint copyVectors(GLuint source, uint32_t count, RawBuffer& copy, const char* label)
+{
+    return copyBytes(source, count * sizeof(gpu::vec4), copy, label);
 }
 
 }  // namespace
@@ -43,9 +47,11 @@ void FrameSnapshot::Fence::wait()
 FrameSnapshot::FrameSnapshot(const World& world, const RenderSettings& settings)
     : showsSpeeds_(settings.colorBy == ColorBy::Speed),
       showsRotations_(!world.skins.empty() || !world.bodyShapes.empty()),
-      showsCentres_(showsRotations_ || std::ranges::any_of(shotsOf(settings), [](const Shot& shot) {
-                        return shot.camera.kind == CameraKind::Follow;
-                    }))
+      showsCentres_(showsRotations_ ||
+                    std::ranges::any_of(shotsOf(settings),
+                                        [](const Shot& shot) { return shot.camera.kind == CameraKind::Follow; })),
+      showsSlots_(world.fluidCount > 0 &&
+                  (settings.colorBy == ColorBy::Pressure || settings.colorBy == ColorBy::Density))
 {
 }
 
@@ -63,7 +69,18 @@ void FrameSnapshot::take(const ParticleView& view)
     view_.colliderPlaces = copyVectors(view.colliderPlaces, 2 * view.colliderCount, colliders_, "drawn colliders");
     view_.foamPlaces = copyVectors(view.foamPlaces, view.foamCount, foam_, "drawn foam");
     view_.distanceStates = copyVectors(view.distanceStates, view.distanceCount, distances_, "drawn distances");
+    if (showsSlots_) takeSlots(view);
     taken_.set();
+}
+
+void FrameSnapshot::takeSlots(const ParticleView& view)
+{
+    const uint32_t slots = view.slotPressures != 0 ? view.particleCount : 0;
+    view_.particleSlots = copyBytes(view.particleSlots, slots * sizeof(uint32_t), particleSlots_, "drawn slots");
+    view_.slotParticles = copyBytes(view.slotParticles, slots * sizeof(uint32_t), slotParticles_, "drawn in slots");
+    view_.slotPressures = copyVectors(view.slotPressures, 2 * slots, pressures_, "drawn pressures");
+    view_.slotShapes = copyVectors(view.slotShapes, 2 * slots, shapes_, "drawn evenness");
+    view_.slotCovers = copyVectors(view.slotCovers, slots, covers_, "drawn densities");
 }
 
 const ParticleView& FrameSnapshot::begin()

@@ -11,8 +11,10 @@
 #include "render/looks/picture_looks.h"
 #include "render/marks/joint_marks.h"
 #include "render/marks/mark_pass.h"
+#include "render/overlay/overlay.h"
 #include "render/picture/picture_passes.h"
 #include "render/picture/picture_reader.h"
+#include "render/quantities/quantity_pass.h"
 #include "render/ropes/rope_pass.h"
 #include "render/shapes/shape_pass.h"
 #include "render/skins/skin_pass.h"
@@ -49,6 +51,8 @@ struct Renderer::Impl {
     /// Draws what casts shadows and what is visible, with the light that reaches it.
     void drawSurfaces(bool withSkins, bool withParticles);
     void draw();
+    /// At the depth of what the camera aims at; waits for the frame.
+    float pixelsPerMetre() const;
 
     RenderSettings settings;
     SceneExtent extent;
@@ -69,6 +73,7 @@ struct Renderer::Impl {
     RenderTargets targets;
     BufferTable table;
     ViewPasses view;
+    QuantityPass quantities;
     FluidLooks fluidLooks;
     PictureLooks looks;
     SphereLists lists;
@@ -82,6 +87,7 @@ struct Renderer::Impl {
     PicturePasses picture;
     MarkPass marks;
     PictureReader reader;
+    Overlay overlay;
     KernelTimer timer;
 };
 
@@ -95,16 +101,17 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))),
       wholeDistances("wholeDistances", canTear(world) ? strandOrder(world).nodeCount : 0),
       targets(settings.width, settings.height, settings.antialiasing, drawsFluids(world, settings, DrawnAs::Surface),
-              settings.background == Background::Transparent),
-      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), fluidLooks(table, world, settings),
-      looks(table, world, settings, extent), lists(gpu, table, world, targets.hasSurfaces()),
-      colliders(gpu, table, world, extent, targets), skins(gpu, table, world, targets),
-      shapes(gpu, table, world, settings, targets), surfaces(gpu, table, world, settings, targets),
-      ropes(gpu, table, world, settings, targets), spheres(gpu, table, world, settings, targets),
-      fluids(gpu, table, world, settings, targets),
+              settings.background == Background::Transparent, settings.depth),
+      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), quantities(gpu, table, world, settings),
+      fluidLooks(table, world, settings), looks(table, world, settings, extent),
+      lists(gpu, table, world, targets.hasSurfaces()), colliders(gpu, table, world, extent, targets),
+      skins(gpu, table, world, targets), shapes(gpu, table, world, settings, targets),
+      surfaces(gpu, table, world, settings, targets), ropes(gpu, table, world, settings, targets),
+      spheres(gpu, table, world, settings, targets), fluids(gpu, table, world, settings, targets),
       picture(gpu, table, targets, settings, looks.lighting(), looks.isMirror()),
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets),
-      reader(settings.width, settings.height, settings.background == Background::Transparent)
+      reader(settings.width, settings.height, settings.background == Background::Transparent, settings.depth),
+      overlay(world, settings)
 {
     input.cameraPlaneCount = static_cast<uint32_t>(planes.size());
     gpu.checkErrors();
@@ -143,6 +150,7 @@ void Renderer::Impl::attach(const ParticleView& shown)
     const bool tears = shown.distanceStates != 0;
     distanceStates = RawBuffer::standIn("distanceStates", tears ? shown.distanceStates : wholeDistances.id(),
                                         (tears ? shown.distanceCount : wholeDistances.size()) * sizeof(gpu::vec4));
+    quantities.attach(shown);
     // The solver's last step wrote the inputs of everything below.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -194,6 +202,7 @@ void Renderer::Impl::draw()
 {
     const bool veiled = settings.skinOpacity < 1.0f && !skins.empty();
     view.fit(timer);
+    quantities.update(timer);
     lists.update(timer);
     skins.update(timer);
     surfaces.update(timer);
@@ -208,6 +217,20 @@ void Renderer::Impl::draw()
     marks.draw(timer);
     picture.drawSmooth(timer);
     reader.start(picture.result().id());
+}
+
+float Renderer::Impl::pixelsPerMetre() const
+{
+    const gpu::FrameView seen = view.read();
+    const auto placeOf = [](const gpu::vec4& v) { return Vector3f(v.x, v.y, v.z); };
+    const Vector3f low = placeOf(seen.trackedLow), high = placeOf(seen.trackedHigh);
+    Vector3f target = placeOf(input.cameraTarget);
+    if (input.cameraMode == CAMERA_FOLLOWS) target = low;
+    if (input.cameraMode == CAMERA_LOOKS) target = 0.5f * (low + high);
+    if (input.cameraMode == CAMERA_FRAMES || input.cameraMode == CAMERA_FRAMES_AROUND)
+        target = input.framedBit != 0 ? low : Vector3f(0.5f * (low + high));
+    const float depth = (placeOf(seen.cameraPosition) - target).dot(placeOf(seen.cameraBack));
+    return static_cast<float>(settings.height) / (2.0f * input.tanHalfFov * depth);
 }
 
 Workload drawingWorkload(const RenderSettings& settings)
@@ -242,7 +265,11 @@ void Renderer::look(const ParticleView& view, double time)
 
 Image Renderer::readImage()
 {
-    return impl_->reader.last();
+    Image image = impl_->reader.last();
+    if (impl_->overlay.empty()) return image;
+    const float scale = impl_->overlay.hasScaleBar() ? impl_->pixelsPerMetre() : 0.0f;
+    impl_->overlay.draw(image, impl_->lookedAt.value_or(0.0), scale);
+    return image;
 }
 
 RendererState Renderer::saveState() const

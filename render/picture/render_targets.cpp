@@ -2,15 +2,17 @@
 
 namespace knuckle {
 
-RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces, bool isTransparent)
+RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces, bool isTransparent,
+                             uint32_t bits)
 {
+    const GLenum displayed = bits == 16 ? GL_RGBA16 : GL_RGBA8;
     const uint32_t w = width * factor, h = height * factor, halfW = (w + 1) / 2, halfH = (h + 1) / 2;
     surface = Texture("surfacePicture", GL_RG32UI, w, h);
     depth = Texture("depthPicture", GL_DEPTH_COMPONENT32F, w, h);
     shadow = Texture("shadowPicture", GL_DEPTH_COMPONENT32F, SHADOW_SIZE, SHADOW_SIZE);
     shade = Texture("shadePicture", GL_R32UI, halfW, halfH);
-    lit = Texture("litPicture", GL_RGBA8, w, h, GL_LINEAR);
-    smoothed = Texture("smoothedPicture", GL_RGBA8, w, h);
+    lit = Texture("litPicture", displayed, w, h, GL_LINEAR);
+    smoothed = Texture("smoothedPicture", displayed, w, h);
     geometry = Framebuffer("geometry", {&surface}, &depth);
     shadowMap = Framebuffer("shadow map", {}, &shadow);
     occlusion = Framebuffer("occlusion", {&shade}, nullptr);
@@ -24,7 +26,7 @@ RenderTargets::RenderTargets(uint32_t width, uint32_t height, uint32_t factor, b
         edges = Framebuffer("edge filter", {&smoothed}, nullptr);
     }
     if (factor > 1 || isTransparent) {
-        resolved = Texture("resolvedPicture", GL_RGBA8, width, height);
+        resolved = Texture("resolvedPicture", displayed, width, height);
         resolve = Framebuffer("resolve", {&resolved}, nullptr);
     }
     wet = Framebuffer("wet", {&smoothed}, nullptr);

@@ -11,7 +11,9 @@ namespace knuckle {
 struct RenderTargets {
     /// @param factor samples per axis and pixel. @param hasSurfaces  Whether surfaces of fluids are drawn.
     /// @param isTransparent  Whether the frame says what of a pixel anything covers.
-    RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces, bool isTransparent);
+    /// @param bits of a channel of what is displayed, 8 or 16.
+    RenderTargets(uint32_t width, uint32_t height, uint32_t factor, bool hasSurfaces, bool isTransparent,
+                  uint32_t bits = 8);
 
     /// So that passes find the textures.
     void addTo(BufferTable& table) const;
