@@ -30,7 +30,7 @@ uint32_t colorWord(const World& world, uint32_t index, const RenderSettings& set
 {
     const Particle& particle = world.particles[index];
     switch (settings.colorBy) {
-        case ColorBy::Speed:
+        case ColorBy::Speed: return 0;
         case ColorBy::Pressure:
         case ColorBy::Density:
         case ColorBy::Strain: return hasQuantity(world, index, settings.colorBy) ? 0 : packColor(NO_QUANTITY_COLOR);
