@@ -127,7 +127,8 @@ TEST(Overlay, TextsStandWhereTheySay)
 TEST(Overlay, LongTextsAreBrokenAndWordsStayWhole)
 {
     const Font font(FONT);
-    const std::vector<std::string> lines = linesOf("one two three four\nfive", font, 20, font.width("one two", 20) + 1.0f);
+    const std::vector<std::string> lines = linesOf("one two three four\nfive", font, 20,
+                                                   font.width("one two", 20) + 1.0f);
     EXPECT_EQ(lines, (std::vector<std::string>{"one two", "three", "four", "five"}));
 }
 
