@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "app/commands/command_options.h"
@@ -99,7 +100,8 @@ void nameOutputs(FilmOptions& film, const RenderOptions& options, const Scene& s
 /// Where a scene without an output of its own goes.
 constexpr const char* OUT = "out";
 
-int renderScene(const RenderOptions& options, const CommonOptions& common)
+/// @param taken default outputs of the scenes before it.
+int renderScene(const RenderOptions& options, const CommonOptions& common, std::set<std::string>& taken)
 {
     FilmOptions film = options.film;
     std::vector<Override> overrides = overridesOf(options);
@@ -148,6 +150,9 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     if (film.outputs.empty()) {
         const bool given = several && !options.outputs.empty();
         film.outputs.push_back(defaultOutput(scene, given ? options.outputs[0] : OUT));
+        if (!taken.insert(film.outputs[0]).second)
+            throw InputError(fmt::format("{}: goes into {}, as another one of the scenes; give it another \"name\"",
+                                         named, film.outputs[0]));
     }
     if (film.checkpoint.seconds) nameOutputs(film, options, scene);
     requireOwnPaths(options, file, scene, film, exporters, common);
@@ -167,13 +172,14 @@ int renderScenes(const RenderOptions& options, const CommonOptions& common)
 {
     requireOneScene(options);
     RenderOptions one = options;
+    std::set<std::string> taken;
     if (options.scenes.size() == 1) one.scene = options.scenes[0];
-    if (options.scenes.size() < 2) return renderScene(one, common);
+    if (options.scenes.size() < 2) return renderScene(one, common, taken);
     int code = EXIT_FINE;
     for (const std::string& scene : options.scenes) {
         one.scene = scene;
         try {
-            renderScene(one, common);
+            renderScene(one, common, taken);
         } catch (...) {
             const int failed = tellFailure(std::current_exception());
             if (failed == EXIT_INTERRUPTED) return failed;

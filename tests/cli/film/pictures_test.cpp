@@ -59,6 +59,9 @@ TEST_F(Pictures, OfSeveralScenesAreInFoldersOfTheirOwn)
     EXPECT_EQ(readImage(folder.path("out/other/frame_0001.png")).width, 64u);
     expectError(run({"render", scene, "other.json", "-o", "a.mp4"}), 2,
                 "-o a.mp4: several scenes want a folder, in which each gets one of its own");
+    folder.write("named.json", std::string("{ \"name\": \"other\",") + (TINY_SCENE + 1));
+    expectError(run({"-q", "render", "other.json", "named.json"}), 2,
+                "named.json: goes into out/other, as another one of the scenes; give it another \"name\"");
     expectError(run({"render", scene, scene}), 2, scene + ": is given twice; name each scene once");
     EXPECT_EQ(run({"render", scene, "other.json", "--stats", "s.json"}).code, 2);
 }
