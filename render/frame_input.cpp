@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/overlay/overlay.h"
 #include "render/picture/lens_samples.h"
 #include "render/picture/render_targets.h"
+#include "render/quantities/color_scale.h"
 #include "render/spheres/sphere_pass.h"
 #include "sim/base/angles.h"
 
@@ -40,13 +42,6 @@ Vector3f groundColor(const World& world, const SceneExtent& extent)
     return ground.color.cwiseProduct(tint);
 }
 
-/// 1, 2 or 5 times a power of ten, at most `size`.
-float roundLength(float size)
-{
-    const float power = std::pow(10.0f, std::floor(std::log10(size)));
-    return power * (size >= 5.0f * power ? 5.0f : size >= 2.0f * power ? 2.0f : 1.0f);
-}
-
 }  // namespace
 
 gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, const SceneExtent& extent)
@@ -73,7 +68,8 @@ gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, c
     input.particleCount = static_cast<uint32_t>(world.particles.size());
     input.farDepth = FAR_DEPTH;
     input.pointSizeLimit = pointSizeLimit();
-    input.speedScale = settings.speedScale;
+    const ColorScale scale = colorScaleOf(world, settings);
+    input.speedScale = scale.high - scale.low;
     input.shadowSize = static_cast<float>(shadowSize(settings));
     input.occlusionRadius = std::clamp(0.05f * extent.size, 4.0f * world.particleRadius, 14.0f * world.particleRadius);
     input.patternScale = roundLength(0.25f * extent.size);

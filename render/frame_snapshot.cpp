@@ -47,9 +47,11 @@ void FrameSnapshot::Fence::wait()
 FrameSnapshot::FrameSnapshot(const World& world, const RenderSettings& settings)
     : showsSpeeds_(settings.colorBy == ColorBy::Speed),
       showsRotations_(!world.skins.empty() || !world.bodyShapes.empty()),
-      showsCentres_(showsRotations_ || std::ranges::any_of(shotsOf(settings), [](const Shot& shot) {
-                        return shot.camera.kind == CameraKind::Follow;
-                    }))
+      showsCentres_(showsRotations_ ||
+                    std::ranges::any_of(shotsOf(settings),
+                                        [](const Shot& shot) { return shot.camera.kind == CameraKind::Follow; })),
+      showsSlots_(world.fluidCount > 0 &&
+                  (settings.colorBy == ColorBy::Pressure || settings.colorBy == ColorBy::Density))
 {
 }
 
@@ -69,7 +71,18 @@ void FrameSnapshot::take(const ParticleView& view)
     if (view.fluidForms != 0)
         view_.fluidForms = copyBytes(view.fluidForms, view.particleCount * sizeof(uint32_t), forms_, "drawn forms");
     view_.distanceStates = copyVectors(view.distanceStates, view.distanceCount, distances_, "drawn distances");
+    if (showsSlots_) takeSlots(view);
     taken_.set();
+}
+
+void FrameSnapshot::takeSlots(const ParticleView& view)
+{
+    const uint32_t slots = view.slotPressures != 0 ? view.particleCount : 0;
+    view_.particleSlots = copyBytes(view.particleSlots, slots * sizeof(uint32_t), particleSlots_, "drawn slots");
+    view_.slotParticles = copyBytes(view.slotParticles, slots * sizeof(uint32_t), slotParticles_, "drawn in slots");
+    view_.slotPressures = copyVectors(view.slotPressures, 2 * slots, pressures_, "drawn pressures");
+    view_.slotShapes = copyVectors(view.slotShapes, 2 * slots, shapes_, "drawn evenness");
+    view_.slotCovers = copyVectors(view.slotCovers, slots, covers_, "drawn densities");
 }
 
 const ParticleView& FrameSnapshot::begin()

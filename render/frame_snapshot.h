@@ -21,6 +21,8 @@ public:
     void end();
 
 private:
+    void takeSlots(const ParticleView& view);
+
     /// A fence that the other context waits for on the device.
     class Fence {
     public:
@@ -35,8 +37,9 @@ private:
         GLsync sync_ = nullptr;
     };
 
-    bool showsSpeeds_, showsRotations_, showsCentres_;
+    bool showsSpeeds_, showsRotations_, showsCentres_, showsSlots_;
     RawBuffer positions_, velocities_, centres_, rotations_, colliders_, foam_, forms_, distances_;
+    RawBuffer particleSlots_, slotParticles_, pressures_, shapes_, covers_;
     ParticleView view_;
     Fence taken_, drawn_;
 };

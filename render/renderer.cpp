@@ -12,11 +12,14 @@
 #include "render/looks/picture_looks.h"
 #include "render/marks/joint_marks.h"
 #include "render/marks/mark_pass.h"
+#include "render/overlay/overlay.h"
 #include "render/picture/lens_passes.h"
 #include "render/picture/picture_passes.h"
 #include "render/picture/picture_reader.h"
+#include "render/quantities/quantity_pass.h"
 #include "render/ropes/rope_pass.h"
 #include "render/shapes/shape_pass.h"
+#include "render/shown_buffers.h"
 #include "render/skins/skin_pass.h"
 #include "render/spheres/sphere_pass.h"
 #include "render/surfaces/surface_pass.h"
@@ -24,8 +27,6 @@
 #include "render/view/framed_sets.h"
 #include "render/view/view_passes.h"
 #include "sim/base/errors.h"
-#include "sim/solver/fluid/form_stage.h"
-#include "sim/solver/strand/strand_order.h"
 
 namespace knuckle {
 
@@ -46,7 +47,7 @@ void checkTransparency(const World& world, const RenderSettings& settings)
 struct Renderer::Impl {
     Impl(Gpu& gpu, const World& world, const RenderSettings& chosen);
     BufferTable& addInputs();  ///< Adds to the table, which it returns.
-    void attach(const ParticleView& view);
+    void attach(const ParticleView& drawn);
     /// @param time of the film [s]. @param draw of a frame.
     void aimCamera(double time, uint32_t draw);
     /// Draws of a frame, with the same view: from `first` on, as many.
@@ -54,6 +55,8 @@ struct Renderer::Impl {
     /// Draws what casts shadows and what is visible, with the light that reaches it.
     void drawSurfaces(bool withSkins, bool withParticles);
     void drawOnce();
+    /// At the depth of what the camera aims at; waits for the frame.
+    float pixelsPerMetre() const;
 
     RenderSettings settings;
     SceneExtent extent;
@@ -66,16 +69,11 @@ struct Renderer::Impl {
     Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
     Buffer<uint32_t> unseen, framedParticles;
     Buffer<gpu::vec4> planes;
-    RawBuffer positions, velocities, bodyCentres, bodyRotations, colliderPlaces;  ///< Stand in for the view's.
-    RawBuffer foamPlaces;                                                         ///< The same.
-    uint32_t foamCount = 0;
-    RawBuffer fluidForms;              ///< Stands in for the view's.
-    Buffer<uint32_t> balls;            ///< In its place where a view has none.
-    Buffer<gpu::vec4> wholeDistances;  ///< Where a view has none of its own.
-    RawBuffer distanceStates;          ///< Stands in for the view's.
+    ShownBuffers shown;
     RenderTargets targets;
     BufferTable table;
     ViewPasses view;
+    QuantityPass quantities;
     FluidLooks fluidLooks;
     PictureLooks looks;
     SphereLists lists;
@@ -90,6 +88,7 @@ struct Renderer::Impl {
     LensPasses lens;
     MarkPass marks;
     PictureReader reader;
+    Overlay overlay;
     KernelTimer timer;
 };
 
@@ -100,20 +99,19 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       beads(drawsFluids(world, settings, DrawnAs::Particles)),
       unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
       framedParticles("framedParticles", std::span<const uint32_t>(framed.words)),
-      planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))),
-      balls("balls", FormStage::isNeeded(world) ? world.particles.size() : 0),
-      wholeDistances("wholeDistances", canTear(world) ? strandOrder(world).nodeCount : 0),
+      planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))), shown(world),
       targets(settings, drawsFluids(world, settings, DrawnAs::Surface)),
-      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), fluidLooks(table, world, settings),
-      looks(table, world, settings, extent), lists(gpu, table, world, targets.hasSurfaces()),
-      colliders(gpu, table, world, extent, targets), skins(gpu, table, world, targets),
-      shapes(gpu, table, world, settings, targets), surfaces(gpu, table, world, settings, targets),
-      ropes(gpu, table, world, settings, targets), spheres(gpu, table, world, settings, targets),
-      fluids(gpu, table, world, settings, targets),
+      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), quantities(gpu, table, world, settings),
+      fluidLooks(table, world, settings), looks(table, world, settings, extent),
+      lists(gpu, table, world, targets.hasSurfaces()), colliders(gpu, table, world, extent, targets),
+      skins(gpu, table, world, targets), shapes(gpu, table, world, settings, targets),
+      surfaces(gpu, table, world, settings, targets), ropes(gpu, table, world, settings, targets),
+      spheres(gpu, table, world, settings, targets), fluids(gpu, table, world, settings, targets),
       picture(gpu, table, targets, settings, looks.lighting(), looks.isMirror()), lens(gpu, table, targets, settings),
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets,
             displayDefines(settings)),
-      reader(settings.width, settings.height, settings.background == Background::Transparent)
+      reader(settings.width, settings.height, settings.background == Background::Transparent, settings.depth),
+      overlay(world, settings)
 {
     input.cameraPlaneCount = static_cast<uint32_t>(planes.size());
     gpu.checkErrors();
@@ -124,37 +122,18 @@ BufferTable& Renderer::Impl::addInputs()
     targets.addTo(table);
     table.add(Lifetime::Scratch, inputBuffer);
     table.add(Lifetime::Constant, unseen, framedParticles, planes);
-    table.add("positions", positions, elementType<gpu::vec4>(), Lifetime::Scratch);
-    table.add("velocities", velocities, elementType<gpu::vec4>(), Lifetime::Scratch);
-    table.add("bodyCentres", bodyCentres, elementType<gpu::vec4>(), Lifetime::Scratch);
-    table.add("bodyRotations", bodyRotations, elementType<gpu::vec4>(), Lifetime::Scratch);
-    table.add("colliderPlaces", colliderPlaces, elementType<gpu::vec4>(), Lifetime::Scratch);
-    table.add("foamPlaces", foamPlaces, elementType<gpu::vec4>(), Lifetime::Scratch);
-    table.add("fluidForms", fluidForms, elementType<uint32_t>(), Lifetime::Scratch);
-    table.add("distanceStates", distanceStates, elementType<gpu::vec4>(), Lifetime::Scratch);
+    shown.addTo(table);
     return table;
 }
 
-void Renderer::Impl::attach(const ParticleView& shown)
+void Renderer::Impl::attach(const ParticleView& drawn)
 {
-    if (shown.particleCount != input.particleCount)
+    if (drawn.particleCount != input.particleCount)
         throw RunError(fmt::format("the renderer was made for {} particles, and the solver has {}", input.particleCount,
-                                   shown.particleCount));
-    describeParticles(input, shown, targets.hasSurfaces());
-    // Needed even for equal names: the solver may have enlarged a buffer and got its old name again.
-    positions = RawBuffer::standIn("positions", shown.positions, shown.particleCount * sizeof(gpu::vec4));
-    velocities = RawBuffer::standIn("velocities", shown.velocities, shown.particleCount * sizeof(gpu::vec4));
-    bodyCentres = RawBuffer::standIn("bodyCentres", shown.bodyCentres, shown.bodyCount * sizeof(gpu::vec4));
-    bodyRotations = RawBuffer::standIn("bodyRotations", shown.bodyRotations, shown.bodyCount * sizeof(gpu::vec4));
-    colliderPlaces = RawBuffer::standIn("colliderPlaces", shown.colliderPlaces,
-                                        size_t{2} * shown.colliderCount * sizeof(gpu::vec4));
-    foamCount = shown.foamCount;
-    foamPlaces = RawBuffer::standIn("foamPlaces", shown.foamPlaces, foamCount * sizeof(gpu::vec4));
-    fluidForms = RawBuffer::standIn("fluidForms", shown.fluidForms != 0 ? shown.fluidForms : balls.id(),
-                                    balls.size() * sizeof(uint32_t));
-    const bool tears = shown.distanceStates != 0;
-    distanceStates = RawBuffer::standIn("distanceStates", tears ? shown.distanceStates : wholeDistances.id(),
-                                        (tears ? shown.distanceCount : wholeDistances.size()) * sizeof(gpu::vec4));
+                                   drawn.particleCount));
+    describeParticles(input, drawn, targets.hasSurfaces());
+    shown.attach(drawn);
+    quantities.attach(drawn);
     // The solver's last step wrote the inputs of everything below.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -210,13 +189,14 @@ void Renderer::Impl::drawSurfaces(bool withSkins, bool withParticles)
 void Renderer::Impl::drawOnce()
 {
     const bool veiled = settings.skinOpacity < 1.0f && !skins.empty();
+    quantities.update(timer);
     lists.update(timer);
     skins.update(timer);
     surfaces.update(timer);
     ropes.update(timer);
     drawSurfaces(!veiled, true);
     picture.drawLighting(timer);
-    if (!fluids.empty()) fluids.draw(timer, lists, foamCount);
+    if (!fluids.empty()) fluids.draw(timer, lists, shown.foamCount());
     if (veiled) {
         drawSurfaces(true, false);
         picture.drawVeil(timer);
@@ -238,6 +218,20 @@ void Renderer::Impl::expose(double time, uint32_t first, uint32_t count)
     if (first + count < drawsOf(settings)) return;
     if (!lens.empty()) lens.develop(timer);
     reader.start(lens.empty() ? picture.result().id() : lens.result().id());
+}
+
+float Renderer::Impl::pixelsPerMetre() const
+{
+    const gpu::FrameView seen = view.read();
+    const auto placeOf = [](const gpu::vec4& v) { return Vector3f(v.x, v.y, v.z); };
+    const Vector3f low = placeOf(seen.trackedLow), high = placeOf(seen.trackedHigh);
+    Vector3f target = placeOf(input.cameraTarget);
+    if (input.cameraMode == CAMERA_FOLLOWS) target = low;
+    if (input.cameraMode == CAMERA_LOOKS) target = 0.5f * (low + high);
+    if (input.cameraMode == CAMERA_FRAMES || input.cameraMode == CAMERA_FRAMES_AROUND)
+        target = input.framedBit != 0 ? low : Vector3f(0.5f * (low + high));
+    const float depth = (placeOf(seen.cameraPosition) - target).dot(placeOf(seen.cameraBack));
+    return static_cast<float>(settings.height) / (2.0f * input.tanHalfFov * depth);
 }
 
 Workload drawingWorkload(const RenderSettings& settings)
@@ -275,7 +269,11 @@ void Renderer::look(const ParticleView& view, double time)
 
 Image Renderer::readImage()
 {
-    return impl_->reader.last();
+    Image image = impl_->reader.last();
+    if (impl_->overlay.empty()) return image;
+    const float scale = impl_->overlay.hasScaleBar() ? impl_->pixelsPerMetre() : 0.0f;
+    impl_->overlay.draw(image, impl_->lookedAt.value_or(0.0), scale);
+    return image;
 }
 
 RendererState Renderer::saveState() const

@@ -82,6 +82,8 @@ void checkSettings(const RenderSettings& settings)
     requireRange(settings.skinError, 0, 100, "render.skinError");
     requireRange(settings.exposure, 0.01, 100, "render.exposure");
     requireRange(settings.speedScale, 1e-6, 1e6, "render.speedScale");
+    if (settings.colorScale && !(settings.colorScale->x() < settings.colorScale->y()))
+        throw InputError("render.colorScale: its high end must be above its low one");
     requireRange(settings.light.intensity, 0, 20, "light.intensity");
     requireRange(settings.light.softness, 0, 20, "light.softness");
     checkLens(settings);

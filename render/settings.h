@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,33 @@ enum class ToneMap : uint32_t { Film, Neutral, Agx, Linear };
 /// What is where nothing is.
 enum class Background : uint32_t { Sky, Transparent, Color };
 
-enum class ColorBy : uint32_t { Body, Material, Particle, Speed };
+enum class ColorBy : uint32_t { Body, Material, Particle, Speed, Pressure, Density, Strain };
+
+/// Of quantities, see palette.cpp.
+enum class Palette : uint32_t { Auto, Heat, Viridis, Cividis, Turbo, Diverging };
+
+/// Where a text stands in the picture.
+enum class TextPlace : uint32_t { Top, TopLeft, TopRight, Center, Bottom, BottomLeft, BottomRight };
+
+/// Words over the picture for a while.
+struct Caption {
+    std::string text;  ///< UTF-8; lines are broken where it says so, and where they do not fit.
+    float from = 0.0f;
+    float to = 0.0f;  ///< Times of the film [s]: from <= t < to; 0: to the end.
+    TextPlace at = TextPlace::Bottom;
+    float size = 0.05f;  ///< Height of a line, as a share of the picture's height, 0.01 ... 0.5.
+};
+
+/// What is written and drawn over the finished picture.
+struct OverlaySettings {
+    std::string title;
+    std::vector<Caption> captions;
+    bool frame = false, time = false, scaleBar = false, colorBar = false;
+    double framesPerSecond = 60.0;  ///< Of the film, for its frames' numbers.
+    std::string font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
+    bool hasText() const { return !title.empty() || !captions.empty() || frame || time || scaleBar || colorBar; }
+};
 
 /// How much work a picture is.
 enum class Quality : uint32_t {
@@ -70,7 +97,11 @@ struct RenderSettings {
     float skinOpacity = 1.0f;      ///< 0 ... 1; below 1 skins are veils over visible particles.
     float skinError = 0.65f;       ///< Tolerated error of far-off skins [pixels], 0 ... 100; 0: draws all triangles.
     float speedScale = 5.0f;       ///< ColorBy::Speed: the speed [m/s] at the end of the colour scale.
-    float exposure = 1.0f;         ///< Linear factor before tone mapping, 0.01 ... 100.
+    std::optional<Eigen::Vector2f> colorScale;  ///< Low and high end, in the quantity's unit; none: colorScaleOf().
+    Palette palette = Palette::Auto;            ///< Of quantities.
+    OverlaySettings overlay;
+    uint32_t depth = 8;     ///< Bits of a channel of the finished picture, 8 or 16.
+    float exposure = 1.0f;  ///< Linear factor before tone mapping, 0.01 ... 100.
     ToneMap toneMap = ToneMap::Film;
     Background background = Background::Sky;
     Eigen::Vector3f backgroundColor{0, 0, 0};  ///< Linear RGB, before the exposure.
@@ -84,6 +115,12 @@ struct RenderSettings {
     uint32_t antialiasing = 1;  ///< Samples per axis and pixel, 1 ... 4. Edges are always filtered; time grows with
                                 ///< the square.
 };
+
+/// Whether colours show a number.
+inline bool showsQuantity(const RenderSettings& settings)
+{
+    return settings.colorBy >= ColorBy::Speed;
+}
 
 /// @throws InputError for a value out of range.
 void checkSettings(const RenderSettings& settings);

@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
+#include "app/commands/render_options.h"
 #include "app/export/exporters.h"
 #include "app/files/assets.h"
 #include "app/film/film_outputs.h"
 #include "app/film/replay.h"
 #include "app/film/scene_sky.h"
+#include "app/run/progress.h"
 #include "app/run/tell.h"
 #include "render/output/film_kinds.h"
 #include "sim/base/errors.h"
@@ -24,20 +27,12 @@ namespace {
 
 constexpr double DEFAULT_CHECKPOINT_SECONDS = 30.0;
 
-struct RenderOptions {
-    std::string scene, frames, size, quality, framesPerSecond, camera, from, resume;
-    bool turntable = false;
-    uint64_t stride = 1;
-    std::vector<std::string> outputs, sets, exports, records;
-    FilmOptions film;
-};
-
-/// "640x360" as two overrides, so that the schema checks the range.
-std::string defaultOutput(const Scene& scene)
+/// @param folder in which it is; several scenes have one.
+std::string defaultOutput(const Scene& scene, const std::string& base)
 {
     std::string name = scene.name;
     std::replace(name.begin(), name.end(), '/', '_');
-    const std::string folder = "out/" + (name.starts_with('.') ? "scene" + name : name);
+    const std::string folder = base + "/" + (name.starts_with('.') ? "scene" + name : name);
     return endingOf(folder).empty() ? folder : folder + "/";  // always a folder, whatever its name
 }
 
@@ -52,37 +47,6 @@ void requireOwnPaths(const RenderOptions& options, const std::string& file, cons
     if (!common.shaderFolder.empty()) paths.readsFolder(common.shaderFolder);
     addOutputs(film, exporters, scene, paths);
     paths.check();
-}
-
-/// @throws InputError.
-RecordOptions recordOptions(const RenderOptions& options)
-{
-    RecordOptions record = options.film.record;
-    if (options.records.size() > 1) throw InputError("--record: is given more than once; one file of states is enough");
-    if (!options.records.empty()) record.states = parseRecord(options.records[0]);
-    for (const auto& [option, path] : {std::pair{"--record states=", record.states}, {"--save-state ", record.last}})
-        if (!path.empty()) requireEnding(option, path, "a file of states", {".states"});
-    return record;
-}
-
-/// What of the command line changes the scene.
-std::vector<Override> overridesOf(const RenderOptions& options)
-{
-    std::vector<Override> overrides;
-    for (const std::string& text : options.sets) overrides.push_back(parseOverride(text));
-    if (!options.size.empty()) {
-        const auto [width, height] = parsePictureSize(options.size);
-        overrides.push_back({"render.width", width});
-        overrides.push_back({"render.height", height});
-    }
-    if (isQualityWord(options.quality)) overrides.push_back({"render.quality", options.quality});
-    if (!options.framesPerSecond.empty())
-        overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
-    if (!options.camera.empty() && options.turntable)
-        throw InputError("--turntable: is a camera of its own; leave out --camera");
-    const std::string camera = options.turntable ? "turntable" : options.camera;
-    if (!camera.empty()) overrides.push_back({"render.camera", camera});
-    return overrides;
 }
 
 /// @throws InputError.
@@ -120,6 +84,9 @@ void nameOutputs(FilmOptions& film, const RenderOptions& options, const Scene& s
     }
     for (const std::string& path : {film.record.states, film.record.last})
         if (!path.empty()) film.checkpoint.folders.push_back(folderOf(OutputPlace::of(path).path));
+    for (const std::string& text : options.captions) add("--caption", text);
+    add("--labels", options.labels);
+    if (film.depth != 8) add("--depth", std::to_string(film.depth));
     add("--codec", film.codec);
     add("--record states=", film.record.states);
     if (film.record.every > 0) add("--record-every", std::to_string(film.record.every));
@@ -130,21 +97,11 @@ void nameOutputs(FilmOptions& film, const RenderOptions& options, const Scene& s
     add("--frames", std::to_string(std::max<uint64_t>(film.frames.first, 1)) + ":");
 }
 
-/// @throws InputError for options that make no sense together.
-void checkOptions(const RenderOptions& options, const FilmOptions& film)
-{
-    if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
-    checkOutputs(film);
-    if (options.from.empty()) {
-        if (options.scene.empty()) throw InputError("SCENE is required, or --from; see knuckle render --help");
-        return;
-    }
-    if (film.record.any() || !film.stats.empty() || film.hash || film.checkpoint.seconds)
-        throw InputError("--from: nothing is simulated, so there is nothing to record, to measure or to go on with; "
-                         "leave out --record, --save-state, --stats, --hash, --checkpoint and --resume");
-}
+/// Where a scene without an output of its own goes.
+constexpr const char* OUT = "out";
 
-int renderScene(const RenderOptions& options, const CommonOptions& common)
+/// @param taken default outputs of the scenes before it.
+int renderScene(const RenderOptions& options, const CommonOptions& common, std::set<std::string>& taken)
 {
     FilmOptions film = options.film;
     std::vector<Override> overrides = overridesOf(options);
@@ -152,10 +109,14 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     if (!options.frames.empty()) film.frames = FrameRange::parse(options.frames);
     film.frames.stride = options.stride;
     Exporters exporters = makeExporters(options.exports);
-    film.outputs = options.outputs;
+    const bool several = options.scenes.size() > 1;
+    if (!several) film.outputs = options.outputs;
     film.record = recordOptions(options);
     film.checkpoint = checkpointOptions(options);
     checkOptions(options, film);
+    if (options.preview && (!options.from.empty() || film.checkpoint.seconds || film.record.any()))
+        throw InputError(
+            "--preview: is no run to keep; leave out --from, --record, --save-state, --checkpoint and --resume");
     std::optional<StatesFile> states;
     std::string named = options.scene;
     if (!options.from.empty()) states.emplace(options.from);
@@ -167,7 +128,18 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
     film.source = {named, overrides};
     const std::string file = findAsset(named);
     Scene scene = loadScene(file, overrides, needsOf(exporters).surfaces);
+    std::optional<Preview> preview;
+    if (options.preview) {
+        preview = previewOf(scene, [&](const std::vector<Override>& more) {
+            std::vector<Override> all = overrides;
+            all.insert(all.end(), more.begin(), more.end());
+            return loadScene(file, all, needsOf(exporters).surfaces);
+        });
+        scene = preview->scene;
+        film.frames.stride = std::max(film.frames.stride, preview->stride);
+    }
     readSkyOf(scene);
+    changePicture(scene, options);
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", named, warning));
@@ -176,12 +148,46 @@ int renderScene(const RenderOptions& options, const CommonOptions& common)
                          "without them: --set 'shots=[]'");
     const std::unique_ptr<Branch> branch = states ? nullptr : openBranch(scene);
     film.branch = branch.get();
-    if (film.outputs.empty()) film.outputs.push_back(defaultOutput(scene));
+    if (film.outputs.empty()) {
+        const bool given = several && !options.outputs.empty();
+        film.outputs.push_back(defaultOutput(scene, given ? options.outputs[0] : OUT));
+        if (!taken.insert(film.outputs[0]).second)
+            throw InputError(fmt::format("{}: goes into {}, as another one of the scenes; give it another \"name\"",
+                                         named, film.outputs[0]));
+    }
     if (film.checkpoint.seconds) nameOutputs(film, options, scene);
     requireOwnPaths(options, file, scene, film, exporters, common);
     if (states) replayFilm(*states, scene, film, common, std::move(exporters));
-    else runFilm(scene, film, common, std::move(exporters));
+    else {
+        const RunFigures figures = runFilm(scene, film, common, std::move(exporters));
+        if (preview && !common.quiet)
+            fmt::print("preview of {} particles for {}; an estimate: the real film takes {} here\n",
+                       scene.world.particles.size(), preview->particles,
+                       durationText(estimatedSeconds(*preview, figures, options.stride)));
+    }
     return EXIT_FINE;
+}
+
+/// Each into its own output; what fails does not keep the others back. @returns the first failure's exit code.
+int renderScenes(const RenderOptions& options, const CommonOptions& common)
+{
+    requireOneScene(options);
+    RenderOptions one = options;
+    std::set<std::string> taken;
+    if (options.scenes.size() == 1) one.scene = options.scenes[0];
+    if (options.scenes.size() < 2) return renderScene(one, common, taken);
+    int code = EXIT_FINE;
+    for (const std::string& scene : options.scenes) {
+        one.scene = scene;
+        try {
+            renderScene(one, common, taken);
+        } catch (...) {
+            const int failed = tellFailure(std::current_exception());
+            if (failed == EXIT_INTERRUPTED) return failed;
+            if (code == EXIT_FINE) code = failed;
+        }
+    }
+    return code;
 }
 
 constexpr const char* NOTES =
@@ -210,14 +216,14 @@ void addRenderCommand(CommandLine line)
     command->fallthrough();
     command->footer(NOTES + exportHelp() + MORE_NOTES);
     auto options = std::make_shared<RenderOptions>();
-    command->add_option("SCENE", options->scene, "A scene file, see docs/scene.md");
+    command->add_option("SCENE", options->scenes, "Scene files, see docs/scene.md; several: each into its own folder");
     // One value per option, so that the scene may follow it.
     using Words = std::vector<std::string>;
     const auto list = [command](const char* name, Words& values, const std::string& words, const char* type) {
         command->add_option(name, values, words)->type_name(type)->take_all()->allow_extra_args(false);
     };
     list("-o,--output", options->outputs,
-         "A folder for PNG frames, names for them as 'DIR/name_####.png' (or .jpg), a film ending in " +
+         "A folder for PNG frames, names for them as 'DIR/name_####.png' (or .jpg, .exr), a film ending in " +
              choiceOf(FILM_ENDINGS) + ", or - for one on standard output [out/NAME]",
          "DIR|film.mp4");
     command
@@ -242,6 +248,12 @@ void addRenderCommand(CommandLine line)
     command->add_flag("--skip-existing", options->film.skipExisting,
                       "Leave pictures that are there, whole and of the same size; simulate only up to the last that is "
                       "missing");
+    command->add_option("--depth", options->film.depth, "Bits of a channel of PNG frames, 8 or 16 [8]")->type_name("N");
+    list("--caption", options->captions, "Write this at the bottom of the picture", "TEXT");
+    command
+        ->add_option("--labels", options->labels,
+                     "Write these as well: frame, time, scaleBar, colorBar, with commas between them [the scene's]")
+        ->type_name("LIST");
     command->add_option("--size", options->size, "Pixels of a frame [the scene's, 1280x720]")->type_name("WxH");
     command->add_option("--fps", options->framesPerSecond, "Frames per second, as 30 or 24000/1001 [the scene's, 60]")
         ->type_name("N");
@@ -250,6 +262,9 @@ void addRenderCommand(CommandLine line)
                      "Film everything by this one of the scene's cameras, or by auto, which sees all that moves "
                      "[as its shots say]")
         ->type_name("NAME|auto");
+    command->add_flag("--preview", options->preview,
+                      "A rough film in a fraction of the time: larger particles where the scene allows them, a small "
+                      "picture, 12 frames a second; then an estimate of the time for the real one");
     command->add_flag("--turntable", options->turntable, "Go once around everything, in the whole film");
     list("--set", options->sets,
          "Change a field of the scene, as solver.substeps=8, or /solver/substeps=8 as errors tell it", "PATH=VALUE");
@@ -277,7 +292,7 @@ void addRenderCommand(CommandLine line)
                       "Go on from the checkpoint of an earlier run of the same command, if there is one; "
                       "--resume=loose: also on another driver or with another version, with other bits");
     command->add_flag("--hash", options->film.hash, "Print the hash of the last state");
-    command->callback([=] { line.chosen = [=] { return renderScene(*options, line.common); }; });
+    command->callback([=] { line.chosen = [=] { return renderScenes(*options, line.common); }; });
 }
 
 }  // namespace knuckle

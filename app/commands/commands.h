@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 
 #include "app/run/exit_codes.h"
@@ -27,6 +28,9 @@ void addBenchCommand(CommandLine line);
 void addGoldenCommand(CommandLine line);
 void addInfoCommand(CommandLine line);
 void addSchemaCommand(CommandLine line);
+
+/// Prints one line about what ended a command. @returns its exit code.
+int tellFailure(const std::exception_ptr& failure);
 
 /// The whole program: reads the command line, runs the command, prints errors to stderr. @returns the exit code.
 int runProgram(int argc, char** argv);

@@ -103,16 +103,10 @@ int endByBrokenPipe()
 
 }  // namespace
 
-int runProgram(int argc, char** argv)
+int tellFailure(const std::exception_ptr& failure)
 {
-    std::signal(SIGPIPE, SIG_IGN);  // a closed reader becomes a write error, so that the program can clean up first
-    saveAddressSpace();
-    tellCrashesForWantOfMemory();
-    endOnSignals();
     try {
-        const int code = parseAndRun(argc, argv);
-        flushStandardOutput();
-        return code;
+        std::rethrow_exception(failure);
     } catch (const InputError& error) {
         return tell(error.what(), EXIT_INPUT);
     } catch (const DeviceError& error) {
@@ -128,6 +122,21 @@ int runProgram(int argc, char** argv)
         return tell(starved ? memoryMessage() : error.what(), EXIT_RUN);
     } catch (const std::exception& error) {
         return tell(error.what(), EXIT_RUN);
+    }
+}
+
+int runProgram(int argc, char** argv)
+{
+    std::signal(SIGPIPE, SIG_IGN);  // a closed reader becomes a write error, so that the program can clean up first
+    saveAddressSpace();
+    tellCrashesForWantOfMemory();
+    endOnSignals();
+    try {
+        const int code = parseAndRun(argc, argv);
+        flushStandardOutput();
+        return code;
+    } catch (...) {
+        return tellFailure(std::current_exception());
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include "render/color_word.h"
 #include "render/picture/image.h"
+#include "render/quantities/color_scale.h"
 #include "render/spheres/palette.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
@@ -75,7 +76,7 @@ std::map<uint32_t, uint32_t> bonesOfBodies(const Rig& rig)
 std::vector<uint32_t> colorsOf(const Scene& scene)
 {
     RenderSettings settings = scene.render;
-    if (settings.colorBy == ColorBy::Speed) settings.colorBy = ColorBy::Body;
+    if (showsQuantity(settings)) settings.colorBy = ColorBy::Body;
     return particleColors(scene.world, settings);
 }
 

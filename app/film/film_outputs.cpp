@@ -112,7 +112,7 @@ std::unique_ptr<FrameSink> FilmOutputs::makeSink(const Scene& scene, const FilmO
                        .emplace_back(
                            std::make_unique<ExistingPictures>(names, scene.render.width, scene.render.height, keep))
                        .get();
-        return pictureSink(names, keep, options.quality);
+        return pictureSink(names, keep, options.quality, options.depth);
     }
     const double rate = scene.framesPerSecond / static_cast<double>(range.stride);
     return filmSink(

@@ -270,7 +270,7 @@ private:
 
 }  // namespace
 
-void runFilm(const Scene& scene, const FilmOptions& wanted, const CommonOptions& common, Exporters exporters)
+RunFigures runFilm(const Scene& scene, const FilmOptions& wanted, const CommonOptions& common, Exporters exporters)
 {
     FilmOptions options = wanted;
     const FrameRange range = options.frames.of(scene, options.branch ? options.branch->frame : 1);
@@ -279,7 +279,7 @@ void runFilm(const Scene& scene, const FilmOptions& wanted, const CommonOptions&
         if (!common.quiet)
             fmt::print("{}, and all are there: {}\n", counted(range.count(), "frame"),
                        fmt::join(options.outputs, ", "));
-        return;
+        return {};
     }
     // A checkpoint is of a run to its end, so that a later one can tell how far it came.
     if (!options.checkpoint.seconds) options.frames.last = missing;
@@ -292,6 +292,7 @@ void runFilm(const Scene& scene, const FilmOptions& wanted, const CommonOptions&
                    fmt::join(options.outputs, ", "));
     }
     if (options.hash) fmt::print("state hash {}\n", hashText(run.stateHash()));
+    return figures;
 }
 
 }  // namespace knuckle

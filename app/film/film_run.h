@@ -10,6 +10,7 @@
 #include "app/film/branch_run.h"
 #include "app/film/frame_range.h"
 #include "app/film/recording.h"
+#include "app/film/run_figures.h"
 #include "app/run/open_gpu.h"
 #include "app/scene/scene_file.h"
 #include "render/output/frame_sink.h"
@@ -22,6 +23,7 @@ struct FilmOptions {
     std::string codec, pipe;           ///< As of FilmFormat.
     FrameRange frames;
     int quality = DEFAULT_QUALITY;  ///< Of JPEG.
+    uint32_t depth = 8;             ///< Of PNG, bits of a channel.
     bool skipExisting = false;      ///< Pictures that are there and whole stay.
     std::string stats;              ///< Empty: none.
     RecordOptions record;
@@ -34,6 +36,8 @@ struct FilmOptions {
 
 /// Simulates the scene and writes its frames and all other requested outputs. Checks every output first.
 /// @throws InputError, DeviceError, RunError, Interrupted.
-void runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions& common, Exporters exporters = {});
+/// @returns what was measured; nothing where all frames were there.
+RunFigures runFilm(const Scene& scene, const FilmOptions& options, const CommonOptions& common,
+                   Exporters exporters = {});
 
 }  // namespace knuckle

@@ -35,6 +35,10 @@ void requireSameWorld(const StatesFile& states, const Scene& scene)
     const FilmClock clock = facts.document.empty()
                                 ? FilmClock(facts.framesPerSecond, facts.stepsPerFrame, {})
                                 : storedClock(facts.source.file, facts.document, facts.stepsPerFrame);
+    if (scene.render.colorBy == ColorBy::Pressure || scene.render.colorBy == ColorBy::Density)
+        throw InputError(fmt::format("{}: has no pressures and densities of fluids, which render.colorBy asks for; "
+                                     "choose another, or render the scene",
+                                     states.path()));
     if (clock != scene.clock)
         throw InputError(fmt::format("{}: its frames are of other moments than the scene's: give shots the `from` and "
                                      "`timeScale` of its run, and any camera",

@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "app/json/enum_words.h"
 #include "app/json/json.h"
 #include "render/settings.h"
 #include "sim/world/world.h"
@@ -11,79 +12,6 @@
 /// Maps JSON fields to struct members, in one place for both directions: read() takes a struct from a document that its
 /// schema has completed, write() is the inverse.
 namespace knuckle {
-
-/// The words of an enum in the order of its values.
-template <typename T>
-struct EnumWords;
-template <>
-struct EnumWords<SolverKind> {
-    static constexpr std::array WORDS{"impulse", "paper"};
-};
-template <>
-struct EnumWords<RotationMethod> {
-    static constexpr std::array WORDS{"quaternion", "householder", "higham"};
-};
-template <>
-struct EnumWords<GridKind> {
-    static constexpr std::array WORDS{"lattice", "hash"};
-};
-template <>
-struct EnumWords<ReductionKind> {
-    static constexpr std::array WORDS{"auto", "thread", "group", "steps"};
-};
-template <>
-struct EnumWords<VelocityOrder> {
-    static constexpr std::array WORDS{"", "first", "second"};
-};
-template <>
-struct EnumWords<JointType> {
-    static constexpr std::array WORDS{"ball", "hinge", "stiff", "universal"};
-};
-template <>
-struct EnumWords<CameraKind> {
-    static constexpr std::array WORDS{"fixed", "orbit", "follow"};
-};
-template <>
-struct EnumWords<Easing> {
-    static constexpr std::array WORDS{"smooth", "linear", "easeIn", "easeOut", "easeInOut", "hold"};
-};
-template <>
-struct EnumWords<ColorBy> {
-    static constexpr std::array WORDS{"body", "material", "particle", "speed"};
-};
-template <>
-struct EnumWords<FieldKind> {
-    static constexpr std::array WORDS{"pull", "push", "swirl", "blow"};
-};
-template <>
-struct EnumWords<FieldFalloff> {
-    static constexpr std::array WORDS{"none", "linear", "inverseSquare"};
-};
-
-template <>
-struct EnumWords<DrawnAs> {
-    static constexpr std::array WORDS{"auto", "particles", "surface", "shape"};
-};
-
-template <>
-struct EnumWords<Finish> {
-    static constexpr std::array WORDS{"default", "matte", "plastic", "clay",    "wax",  "rubber",
-                                      "metal",   "wood",  "checker", "brushed", "model"};
-};
-template <>
-struct EnumWords<FloorLook> {
-    static constexpr std::array WORDS{"default", "studio", "tiles",  "checker", "wood",
-                                      "grass",   "grid",   "mirror", "none"};
-};
-template <>
-struct EnumWords<ToneMap> {
-    static constexpr std::array WORDS{"film", "neutral", "agx", "linear"};
-};
-
-template <>
-struct EnumWords<Quality> {
-    static constexpr std::array WORDS{"draft", "good", "final"};
-};
 
 template <typename T>
 std::string wordOf(T value)
@@ -254,7 +182,17 @@ void visitFields(LightSettings& l, Visitor&& visit)
     visit("bounce", l.bounce);
 }
 
-/// Camera and lights are separate documents in a scene; without the background and fog.
+template <typename Visitor>
+void visitFields(Caption& c, Visitor&& visit)
+{
+    visit("text", c.text);
+    visit("from", c.from);
+    visit("to", c.to);
+    visit("at", c.at);
+    visit("size", c.size);
+}
+
+/// Camera and lights are separate documents in a scene; without the background, fog, the scale of colours and labels.
 template <typename Visitor>
 void visitFields(RenderSettings& r, Visitor&& visit)
 {
@@ -263,6 +201,7 @@ void visitFields(RenderSettings& r, Visitor&& visit)
     visit("colorBy", r.colorBy);
     visit("highlightJoints", r.highlightJoints);
     visit("speedScale", r.speedScale);
+    visit("palette", r.palette);
     visit("skinError", r.skinError);
     visit("exposure", r.exposure);
     visit("toneMap", r.toneMap);

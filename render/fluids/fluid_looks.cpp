@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/quantities/color_scale.h"
 #include "render/unseen.h"
 #include "shared/draw_types.h"
 
@@ -24,7 +25,7 @@ std::vector<gpu::vec4> looksOf(const World& world)
 
 DrawnAs drawnAs(const Material& material, const RenderSettings& settings)
 {
-    const bool byParticle = settings.colorBy == ColorBy::Speed || settings.colorBy == ColorBy::Particle;
+    const bool byParticle = showsQuantity(settings) || settings.colorBy == ColorBy::Particle;
     return byParticle || material.look.drawn == DrawnAs::Particles ? DrawnAs::Particles : DrawnAs::Surface;
 }
 

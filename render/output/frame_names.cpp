@@ -66,7 +66,13 @@ bool FrameNames::has(const std::string& name) const
 
 bool FrameNames::areJpeg() const
 {
-    return endingOf("a" + after) != PICTURE_ENDINGS[0];
+    const std::string ending = endingOf("a" + after);
+    return ending == PICTURE_ENDINGS[1] || ending == PICTURE_ENDINGS[2];
+}
+
+bool FrameNames::areExr() const
+{
+    return endingOf("a" + after) == PICTURE_ENDINGS[3];
 }
 
 bool FrameNames::mayMeet(const FrameNames& other) const

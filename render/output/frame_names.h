@@ -7,7 +7,7 @@
 namespace knuckle {
 
 /// Endings of pictures that frames are written as.
-inline constexpr std::array PICTURE_ENDINGS{".png", ".jpg", ".jpeg"};
+inline constexpr std::array PICTURE_ENDINGS{".png", ".jpg", ".jpeg", ".exr"};
 
 /// What the frames of one output are called: `folder`, then `before`, the frame's number and `after`.
 struct FrameNames {
@@ -28,6 +28,7 @@ struct FrameNames {
     /// Whether both could write one file, were their folders the same.
     bool mayMeet(const FrameNames& other) const;
     bool areJpeg() const;
+    bool areExr() const;
 };
 
 }  // namespace knuckle

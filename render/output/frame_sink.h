@@ -32,11 +32,12 @@ public:
 /// Of JPEG; a frame has a third of the bytes of its PNG.
 inline constexpr int DEFAULT_QUALITY = 92;
 
-/// A picture for each frame, PNG or JPEG by its name's ending; the folder is made if missing. @throws InputError if it
-/// cannot be written to.
-/// @param keep must outlive it; null: nothing is kept. @param quality of JPEG, 1 to 100.
+/// A picture for each frame, PNG, JPEG or EXR by its name's ending; the folder is made if missing. @throws InputError
+/// if it cannot be written to.
+/// @param keep must outlive it; null: nothing is kept. @param quality of JPEG, 1 to 100. @param depth bits of a channel
+/// of PNG; 16, and EXR, need Image::deep.
 std::unique_ptr<FrameSink> pictureSink(const FrameNames& names, PictureKeep* keep = nullptr,
-                                       int quality = DEFAULT_QUALITY);
+                                       int quality = DEFAULT_QUALITY, uint32_t depth = 8);
 
 struct FilmFormat {
     uint32_t width = 0, height = 0;

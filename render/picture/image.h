@@ -16,6 +16,7 @@ struct Image {
     uint32_t width = 0, height = 0;
     std::vector<uint8_t> rgb = {};    ///< width * height * 3
     PngText text = {};                ///< Of its file; not read back.
+    std::vector<uint16_t> deep = {};  ///< The same as rgb in 16 bits a channel; empty: there is no more than rgb.
     std::vector<uint8_t> alpha = {};  ///< width * height; empty: opaque. Colours are not times it. Not read back.
 };
 

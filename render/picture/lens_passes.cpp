@@ -19,7 +19,8 @@ LensPasses::LensPasses(const Gpu& gpu, BufferTable& table, const RenderTargets& 
 {
     if (!hasLens(settings)) return;
     exposed_ = Texture("exposedPicture", GL_RGBA32F, settings.width, settings.height, GL_LINEAR);
-    developed_ = Texture("developedPicture", GL_RGBA8, settings.width, settings.height);
+    developed_ = Texture("developedPicture", settings.depth == 16 ? GL_RGBA16 : GL_RGBA8, settings.width,
+                         settings.height);
     exposure_ = Framebuffer("exposure", {&exposed_}, nullptr);
     development_ = Framebuffer("development", {&developed_}, nullptr);
     table.add(exposed_);

@@ -11,7 +11,8 @@ namespace knuckle {
 class PictureReader {
 public:
     /// @param hasAlpha  Whether pictures have an alpha that their colours are multiplied by.
-    PictureReader(uint32_t width, uint32_t height, bool hasAlpha);
+    /// @param depth  Bits of a channel, 8 or 16 (Image::deep).
+    PictureReader(uint32_t width, uint32_t height, bool hasAlpha, uint32_t depth = 8);
 
     /// Starts the copy of the whole `framebuffer`.
     void start(GLuint framebuffer);
@@ -19,8 +20,12 @@ public:
     Image last();
 
 private:
+    size_t bytes() const;
+    template <typename Channel>
+    void fill(Image& image, const Channel* pixels) const;
+
     uint32_t width_, height_;
-    bool hasAlpha_;
+    bool hasAlpha_, isDeep_;
     BufferHandle buffer_;
     bool started_ = false;
 };

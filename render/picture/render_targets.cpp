@@ -14,7 +14,8 @@ RenderTargets::RenderTargets(const RenderSettings& settings, bool hasSurfaces)
     const uint32_t halfW = (w + 1) / 2, halfH = (h + 1) / 2, shadowed = shadowSize(settings);
     const bool isTransparent = settings.background == Background::Transparent;
     const bool isDraft = settings.quality == Quality::Draft;
-    const GLenum color = hasLens(settings) ? GL_RGBA16F : GL_RGBA8;
+    const GLenum displayed = settings.depth == 16 ? GL_RGBA16 : GL_RGBA8;
+    const GLenum color = hasLens(settings) ? GL_RGBA16F : displayed;
     surface = Texture("surfacePicture", GL_RG32UI, w, h);
     depth = Texture("depthPicture", GL_DEPTH_COMPONENT32F, w, h);
     shadow = Texture("shadowPicture", GL_DEPTH_COMPONENT32F, shadowed, shadowed);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/color_word.h"
+#include "render/quantities/color_scale.h"
 #include "render/spheres/palette.h"
 #include "render/unseen.h"
 #include "shared/frame_types.h"
@@ -54,7 +55,7 @@ RopePass::RopePass(const Gpu& gpu, BufferTable& table, const World& world, const
     if (upload(table, world, settings)) defines.push_back({"TEARS", "1"});
     place_ = Kernel(gpu, table, "render/ropes/tube_frames.comp", defines);
     Defines looks;
-    if (settings.colorBy == ColorBy::Speed) looks.push_back({"COLOR_BY_SPEED", "1"});
+    if (settings.colorBy == ColorBy::Speed) looks = colorDefines(world, settings);
     const std::initializer_list<std::string> reads = {"frame",     "view",      "tubeFrames",
                                                       "tubeLooks", "tubeNodes", "velocities"};
     tubes_ = DrawPass(gpu, table, {"ropes/tube", "ropes/tube", looks}, reads, targets.geometry, GL_BACK);

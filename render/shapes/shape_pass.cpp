@@ -7,6 +7,7 @@
 
 #include "render/color_word.h"
 #include "render/looks/finishes.h"
+#include "render/quantities/color_scale.h"
 #include "render/spheres/palette.h"
 #include "render/unseen.h"
 #include "shared/draw_types.h"
@@ -73,7 +74,7 @@ ShapePass::ShapePass(const Gpu& gpu, BufferTable& table, const World& world, con
     table.add(Lifetime::Constant, bodyShapes_);
     if (bodyShapes_.size() == 0) return;
     Defines defines;
-    if (settings.colorBy == ColorBy::Speed) defines.push_back({"COLOR_BY_SPEED", "1"});
+    if (settings.colorBy == ColorBy::Speed) defines = colorDefines(world, settings);
     const std::initializer_list<std::string> reads = {"frame",       "view",          "velocities", "bodyShapes",
                                                       "bodyCentres", "bodyRotations", "finishes"};
     // Draws the far sides of the boxes: they are visible even when the eye is inside.

@@ -6,7 +6,9 @@
 
 #include "render/color_word.h"
 #include "render/looks/finishes.h"
+#include "render/quantities/color_scale.h"
 #include "render/skins/skin_colors.h"
+#include "shared/draw_types.h"
 
 namespace knuckle {
 
@@ -15,11 +17,23 @@ namespace {
 const Vector3f JOINT_COLOR{0.80f, 0.015f, 0.012f};
 const Vector3f LOOSE_COLOR{0.62f, 0.50f, 0.33f};
 
+const Vector3f NO_QUANTITY_COLOR = Vector3f::Constant(NO_QUANTITY_GREY);
+
+bool hasQuantity(const World& world, uint32_t particle, ColorBy quantity)
+{
+    if (quantity != ColorBy::Strain) return particle >= world.particles.size() - world.fluidCount;
+    return std::ranges::any_of(
+        world.softBodies, [&](const SoftBody& soft) { return particle - soft.particleStart < soft.particleCount; });
+}
+
 uint32_t colorWord(const World& world, uint32_t index, const RenderSettings& settings)
 {
     const Particle& particle = world.particles[index];
     switch (settings.colorBy) {
         case ColorBy::Speed: return 0;
+        case ColorBy::Pressure:
+        case ColorBy::Density:
+        case ColorBy::Strain: return hasQuantity(world, index, settings.colorBy) ? 0 : packColor(NO_QUANTITY_COLOR);
         case ColorBy::Material: return packColor(world.materials[particle.material].color);
         case ColorBy::Particle: return packColor(paletteColor(index));
         case ColorBy::Body: break;
@@ -59,6 +73,7 @@ Vector3f paletteColor(uint32_t index)
 uint32_t bodyColor(const World& world, uint32_t body, const RenderSettings& settings)
 {
     if (settings.colorBy == ColorBy::Speed) return 0;
+    if (showsQuantity(settings)) return packColor(NO_QUANTITY_COLOR);
     const bool byMaterial = settings.colorBy == ColorBy::Material;
     return packColor(byMaterial ? world.materials[world.bodies[body].material].color : paletteColor(body));
 }

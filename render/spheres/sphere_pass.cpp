@@ -5,6 +5,7 @@
 
 #include "render/fluids/fluid_looks.h"
 #include "render/looks/finishes.h"
+#include "render/quantities/color_scale.h"
 #include "render/spheres/palette.h"
 
 namespace knuckle {
@@ -13,12 +14,6 @@ namespace {
 
 /// Loose particles with patterns of their own.
 constexpr uint32_t LOOSE_PLACES = 512;
-
-Defines colorDefines(const RenderSettings& settings)
-{
-    if (settings.colorBy == ColorBy::Speed) return {{"COLOR_BY_SPEED", "1"}};
-    return {};
-}
 
 /// The axis along which each body's particles reach furthest.
 std::vector<uint32_t> longestAxes(const World& world)
@@ -78,18 +73,19 @@ SpherePass::SpherePass(const Gpu& gpu, BufferTable& table, const World& world, c
     places_ = {"spherePlaces", std::span<const gpu::vec4>(places)};
     table.add(Lifetime::Constant, places_);
     const auto passes = [&](const Defines& more, bool apart) {
-        Defines defines = colorDefines(settings);
+        Defines defines = colorDefines(world, settings);
         defines.insert(defines.end(), patterns.begin(), patterns.end());
         defines.insert(defines.end(), more.begin(), more.end());
         const auto pass = [&](const char* vertex, const char* fragment, const Framebuffer& target) {
             return apart ? DrawPass(gpu, table, {vertex, fragment, defines},
                                     {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
                                      "sphereColors", "spherePlaces", "grainParticles", "finishes", "bodyRotations",
-                                     "fluidMaterials"},
+                                     "shownQuantities", "fluidMaterials"},
                                     target)
                          : DrawPass(gpu, table, {vertex, fragment, defines},
                                     {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
-                                     "sphereColors", "spherePlaces", "grainParticles", "finishes", "bodyRotations"},
+                                     "sphereColors", "spherePlaces", "grainParticles", "finishes", "bodyRotations",
+                                     "shownQuantities"},
                                     target);
         };
         return Passes{pass("spheres/sphere", "spheres/sphere", targets.geometry),

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "render/quantities/color_scale.h"
 #include "render/spheres/palette.h"
 #include "shared/frame_types.h"
 
@@ -49,11 +50,11 @@ SurfacePass::SurfacePass(const Gpu& gpu, BufferTable& table, const World& world,
     if (clothVertexCount_ > 0) clothPlacesKernel_ = load("cloth_places", tearing);
     if (softVertexCount_ > 0) softPlacesKernel_ = load("soft_places");
     normalsKernel_ = load("surface_normals");
-    Defines defines;
-    if (settings.colorBy == ColorBy::Speed) defines.push_back({"COLOR_BY_SPEED", "1"});
+    Defines defines = colorDefines(world, settings);
     const std::initializer_list<std::string> reads = {
-        "frame",        "view",       "surfacePlaces",    "surfaceNormals",
-        "surfaceLooks", "velocities", "surfaceParticles", "hemEdges"};
+        "frame",          "view",       "surfacePlaces",    "surfaceNormals",
+        "surfaceLooks",   "velocities", "surfaceParticles", "hemEdges",
+        "shownQuantities"};
     surfaces_ = DrawPass(gpu, table, {"surfaces/surface", "surfaces/surface", defines}, reads, targets.geometry);
     hems_ = DrawPass(gpu, table, {"surfaces/hem", "surfaces/surface", defines}, reads, targets.geometry);
     defines.push_back({"LIGHT_VIEW", "1"});

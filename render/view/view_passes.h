@@ -18,6 +18,8 @@ public:
     void aim(KernelTimer& timer) const;
     /// Fits the shadow map and the burial grid to the scene's contents.
     void fit(KernelTimer& timer) const;
+    /// Waits until it is computed.
+    gpu::FrameView read() const { return view_.download()[0]; }
 
 private:
     Buffer<gpu::FrameView> view_{"view", 1};

@@ -55,6 +55,9 @@ namespace knuckle::gpu {
 #define SHADOW_DRAW 2
 #define DRAWS_PER_GROUP 3
 #define SPHERE_DRAWS 6
+// Instead of a quantity that a particle does not have, and the light that its colour then throws back.
+#define NO_QUANTITY -1e30f
+#define NO_QUANTITY_GREY 0.33f
 // Instead of the material of a fluid particle that is drawn as a sphere.
 #define NO_SURFACE 0xffffffffu
 // Corners of the two triangles of a quad.

@@ -59,7 +59,7 @@ struct FrameInput {
     float tanHalfFov;           // vertical
     float farDepth;             // view depth for the depth buffer's 1 [m]
     float pointSizeLimit;       // largest gl_PointSize of the driver [pixels]
-    float speedScale;           // [m/s]
+    float speedScale;           // from one end of the scale of colours to the other, in its unit
     float shadowSize;           // texels a side of the shadow map
     float occlusionRadius;      // [m]
     float patternScale;         // side of a ground cell [m]

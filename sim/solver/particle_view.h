@@ -26,6 +26,13 @@ struct ParticleView {
     GLuint distanceStates = 0;  ///< distanceCount x vec4, distances of ropes and cloth in the order of
                                 ///< strandOrder(): z: 1 if torn. 0: none can tear.
     uint32_t distanceCount = 0;
+    // Of fluids, as of the last substep; 0: there are none. As many slots as particles:
+    GLuint particleSlots = 0;   ///< particleCount x uint: the slot of each.
+    GLuint slotParticles = 0;   ///< uint: its particle.
+    GLuint slotPressures = 0;   ///< 2 x uvec4: shaders/sim/fluid/pressure/slot_pressures.glsl.
+    GLuint slotShapes = 0;      ///< 2 x vec4: the same.
+    GLuint slotCovers = 0;      ///< vec4: w: density over that at rest.
+    float pressureUnit = 0.0f;  ///< Of a stored multiplier [Pa].
 };
 
 }  // namespace knuckle

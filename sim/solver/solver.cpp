@@ -127,6 +127,7 @@ ParticleView Solver::view() const
     if (s.foam) view.foamPlaces = s.foam->foamPlaces.id();
     view.foamCount = s.parameters.foamCapacity;
     if (s.forms) view.fluidForms = s.forms->fluidForms.id();
+    if (s.fluids) s.fluids->show(view);
     if (!s.strands || !canTear(impl_->world)) return view;
     view.distanceStates = s.strands->distanceStates.id();
     view.distanceCount = static_cast<uint32_t>(s.strands->distanceStates.size());

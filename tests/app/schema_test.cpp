@@ -71,7 +71,8 @@ TEST(Schema, DefaultsAreThoseOfTheStructs)
     expectSameDefaults<CameraSettings>("camera", {"frame", "lookAt", "focusOn", "keys", "shake"});
     expectSameDefaults<CameraShake>("cameraShake");
     expectSameDefaults<LightSettings>("light", {"sky", "turbidity", "color", "skyColor", "groundColor"});
-    expectSameDefaults<RenderSettings>("render", {"camera", "background", "fog"});
+    expectSameDefaults<RenderSettings>("render", {"camera", "background", "fog", "colorScale", "title", "labels"});
+    expectSameDefaults<Caption>("caption");
     expectSameDefaults<Collider>("planeCollider", {"type", "rotation", "motion", "roughness", "metalness", "floor"});
 }
 
@@ -86,6 +87,8 @@ TEST(Schema, WordsAreThoseOfTheEnums)
     expectSameWords<CameraKind>("camera", "kind");
     expectSameWords<Easing>("cameraKey", "easing");
     expectSameWords<ColorBy>("render", "colorBy");
+    expectSameWords<Palette>("render", "palette");
+    expectSameWords<TextPlace>("caption", "at");
     expectSameWords<DrawnAs>("material", "draw");
     expectSameWords<Finish>("finish", "");
     expectSameWords<FloorLook>("floorLook", "");

@@ -1,6 +1,6 @@
 // A vertex of a link of a rope: a tube along a cubic through its nodes, with round caps where the rope ends.
 #include "render/common/frame_blocks.glsl"
-#include "render/common/speed_color.glsl"
+#include "render/common/scale_color.glsl"
 #include "render/common/surface.glsl"
 #include "shared/matter_types.h"
 
@@ -26,7 +26,7 @@ vec3 rootsOf(int node, float stored)
 {
 #ifdef COLOR_BY_SPEED
     vec3 velocity = texelFetch(velocities, int(texelFetch(tubeNodes, node).x)).xyz;
-    return sqrt(speedColor(length(velocity) / frame.speedScale));
+    return sqrt(scaleColor(length(velocity)));
 #else
     return unpackRoots(uint(stored));
 #endif

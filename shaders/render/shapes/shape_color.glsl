@@ -1,6 +1,6 @@
 // The colour of a body's shape, stored once or computed from its current speed: square roots in a number of 24 bits.
 #include "render/common/frame_blocks.glsl"
-#include "render/common/speed_color.glsl"
+#include "render/common/scale_color.glsl"
 #include "render/common/surface.glsl"
 
 #ifdef COLOR_BY_SPEED
@@ -10,7 +10,7 @@ uniform samplerBuffer velocities;
 float shapeColor(vec3 stored)
 {
     vec3 velocity = 0.5 * (texelFetch(velocities, int(stored.y)).xyz + texelFetch(velocities, int(stored.z)).xyz);
-    return float(packAlbedo(speedColor(length(velocity) / frame.speedScale), 0.0));
+    return float(packAlbedo(scaleColor(length(velocity)), 0.0));
 }
 #else
 float shapeColor(vec3 stored)

@@ -1,7 +1,7 @@
 // One point per listed particle, as large as the sphere's image, which is an ellipse.
 #include "render/common/fluid_kind.glsl"
 #include "render/common/drawn_radius.glsl"
-#include "render/common/fluid_form.glsl"
+#include "render/spheres/fluid_form.glsl"
 #include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
 #ifdef PATTERNS

@@ -1,7 +1,7 @@
 // Two triangles around the image of each listed sphere that is too large for the driver's points.
 #include "render/common/fluid_kind.glsl"
 #include "render/common/drawn_radius.glsl"
-#include "render/common/fluid_form.glsl"
+#include "render/spheres/fluid_form.glsl"
 #include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
 #ifdef PATTERNS

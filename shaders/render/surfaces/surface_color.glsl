@@ -1,16 +1,23 @@
-// The colour of a vertex of cloth or of a soft body, or of its nearest particle's speed: square roots.
+// The colour of a vertex of cloth or of a soft body, or that of a quantity of its nearest particle: square roots.
 #include "render/common/frame_blocks.glsl"
-#include "render/common/speed_color.glsl"
+#include "render/common/scale_color.glsl"
 #include "render/common/surface.glsl"
 
-#ifdef COLOR_BY_SPEED
+#ifdef COLOR_BY_QUANTITY
+uniform usamplerBuffer surfaceParticles;
+
+vec3 surfaceRoots(int vertex, float stored)
+{
+    return sqrt(quantityColor(int(texelFetch(surfaceParticles, vertex).x)));
+}
+#elif defined(COLOR_BY_SPEED)
 uniform usamplerBuffer surfaceParticles;
 uniform samplerBuffer velocities;
 
 vec3 surfaceRoots(int vertex, float stored)
 {
     int particle = int(texelFetch(surfaceParticles, vertex).x);
-    return sqrt(speedColor(length(texelFetch(velocities, particle).xyz) / frame.speedScale));
+    return sqrt(scaleColor(length(texelFetch(velocities, particle).xyz)));
 }
 #else
 vec3 surfaceRoots(int vertex, float stored)

@@ -212,4 +212,9 @@ gpu::vec4 fluidMaterial(const gpu::StepParameters& p, const Material& material, 
             0};
 }
 
+float lambdaUnit(const gpu::StepParameters& parameters)
+{
+    return 1000.0f / 256.0f * std::pow(parameters.fluidSpacing, 3.0f) / (100.0f * parameters.fluidSoftness);
+}
+
 }  // namespace knuckle

@@ -21,6 +21,9 @@ gpu::vec4 fluidMaterial(const gpu::StepParameters& parameters, const Material& m
 /// What the implicit solve knows of a material (shaders/sim/fluid/viscous/viscous_materials.glsl).
 gpu::vec4 viscousMaterial(const gpu::StepParameters& parameters, const Material& material);
 
+/// As of slot_pressures.glsl [kg m2].
+float lambdaUnit(const gpu::StepParameters& parameters);
+
 /// Iterations that each of the two halves of the implicit solve needs in a world.
 uint32_t viscousSweeps(const gpu::StepParameters& parameters, const World& world);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "shared/slot_lists.h"
 #include "sim/base/errors.h"
@@ -214,6 +215,18 @@ std::vector<float> FluidStage::densities() const
     for (size_t k = 0; k < slots; ++k)
         if (particles[k] >= parameters_.particleCount) densities.push_back(covers[k].w);
     return densities;
+}
+
+void FluidStage::show(ParticleView& view) const
+{
+    view.particleSlots = particleSlots.id();
+    view.slotParticles = slotParticles.id();
+    view.slotPressures = slotPressures.id();
+    view.slotShapes = slotShapes.id();
+    view.slotCovers = slotCovers.id();
+    // A multiplier acts as the impulse (lambda_i + lambda_j) grad W, a pressure as the force -V (p_i + p_j) grad W.
+    const float volume = std::pow(parameters_.fluidSpacing, 3.0f), h = parameters_.substepTime;
+    view.pressureUnit = lambdaUnit(parameters_) / (volume * h * h);
 }
 
 }  // namespace knuckle

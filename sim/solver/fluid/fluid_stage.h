@@ -2,6 +2,7 @@
 
 #include "sim/solver/fluid/slot_stage.h"
 #include "sim/solver/measure/measure.h"
+#include "sim/solver/particle_view.h"
 
 namespace knuckle {
 
@@ -32,6 +33,8 @@ public:
     /// Densities of the fluid particles in the last substep over that at rest, in no particular order. Stalls until the
     /// GPU is done.
     std::vector<float> densities() const;
+    /// Names the buffers from which densities and pressures are drawn.
+    void show(ParticleView& view) const;
 
     Buffer<gpu::vec4> fluidSearchPositions;  ///< Per particle: where it was when neighbours were found.
     Buffer<gpu::uvec2> fluidParticleCells;   ///< Cell, arrival in it.

@@ -44,8 +44,8 @@ Vector3f middleOf(const ParticleState& state)
 
 }  // namespace
 
-/// Fluid that follows holds what has just left; then the weight of the thread stretches it a little. In free fall layers
-/// would be 1.5 and 2.4 times as far apart as at rest.
+/// Fluid that follows holds what has just left; then the weight of the thread stretches it a little. In free fall
+/// layers would be 1.5 and 2.4 times as far apart as at rest.
 TEST(Coil, AThreadLeavesItsNozzleInOnePiece)
 {
     const World world = honeyJet();

@@ -1,0 +1,133 @@
+#include "app/commands/render_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/commands/command_options.h"
+#include "app/film/film_outputs.h"
+#include "sim/base/errors.h"
+#include "sim/base/files/endings.h"
+
+namespace knuckle {
+
+namespace {
+
+constexpr double PREVIEW_DIAMETER = 1.6, PREVIEW_FRAMES = 12.0;  // [diameters], a second
+
+Json labelsOf(const std::string& list)
+{
+    Json words = Json::array();
+    for (size_t at = 0; at <= list.size();) {
+        const size_t end = std::min(list.find(',', at), list.size());
+        words.push_back(list.substr(at, end - at));
+        at = end + 1;
+    }
+    return words;
+}
+
+}  // namespace
+
+std::vector<Override> overridesOf(const RenderOptions& options)
+{
+    std::vector<Override> overrides;
+    for (const std::string& text : options.sets) overrides.push_back(parseOverride(text));
+    // As two overrides, so that the schema checks the range.
+    if (!options.size.empty()) {
+        const auto [width, height] = parsePictureSize(options.size);
+        overrides.push_back({"render.width", width});
+        overrides.push_back({"render.height", height});
+    }
+    if (isQualityWord(options.quality)) overrides.push_back({"render.quality", options.quality});
+    if (!options.labels.empty()) overrides.push_back({"render.labels", labelsOf(options.labels)});
+    if (!options.framesPerSecond.empty())
+        overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
+    if (!options.camera.empty() && options.turntable)
+        throw InputError("--turntable: is a camera of its own; leave out --camera");
+    const std::string camera = options.turntable ? "turntable" : options.camera;
+    if (!camera.empty()) overrides.push_back({"render.camera", camera});
+    return overrides;
+}
+
+RecordOptions recordOptions(const RenderOptions& options)
+{
+    RecordOptions record = options.film.record;
+    if (options.records.size() > 1) throw InputError("--record: is given more than once; one file of states is enough");
+    if (!options.records.empty()) record.states = parseRecord(options.records[0]);
+    for (const auto& [option, path] : {std::pair{"--record states=", record.states}, {"--save-state ", record.last}})
+        if (!path.empty()) requireEnding(option, path, "a file of states", {".states"});
+    return record;
+}
+
+void changePicture(Scene& scene, const RenderOptions& options)
+{
+    for (const std::string& text : options.captions) scene.render.overlay.captions.push_back({.text = text});
+    if (options.film.depth != 8 && options.film.depth != 16)
+        throw InputError(fmt::format("--depth {}: must be 8 or 16", options.film.depth));
+    const bool isExr = std::ranges::any_of(
+        options.outputs, [](const std::string& path) { return !isFilm(path) && FrameNames::of(path).areExr(); });
+    if (isExr || options.film.depth == 16) scene.render.depth = 16;
+}
+
+Preview previewOf(const Scene& real, const std::function<Scene(const std::vector<Override>&)>& load)
+{
+    Preview preview{{}, 1, real.world.particles.size(), real.render.width, real.render.height};
+    const auto smaller = [](uint32_t pixels) { return std::max(2 * (pixels / 6), 32u); };
+    std::vector<Override> changes{{"render.width", smaller(preview.width)}, {"render.height", smaller(preview.height)}};
+    preview.stride = static_cast<uint64_t>(std::max(1.0, std::round(real.framesPerSecond / PREVIEW_FRAMES)));
+    try {
+        std::vector<Override> coarse = changes;
+        coarse.push_back({"diameter", PREVIEW_DIAMETER * static_cast<double>(real.world.diameter())});
+        preview.scene = load(coarse);
+    } catch (const InputError&) {
+        preview.scene = load(changes);  // something in it is too thin for larger particles
+    }
+    return preview;
+}
+
+double estimatedSeconds(const Preview& preview, const RunFigures& figures, uint64_t stride)
+{
+    const Scene& rough = preview.scene;
+    const double particles = static_cast<double>(preview.particles) /
+                             static_cast<double>(std::max<size_t>(rough.world.particles.size(), 1));
+    const double pixels = static_cast<double>(preview.width) * preview.height /
+                          (static_cast<double>(rough.render.width) * rough.render.height);
+    const double frames = static_cast<double>(preview.stride) / static_cast<double>(stride);
+    const double simulating = figures.simulationSeconds, drawing = figures.drawing.seconds;
+    // Both may go on at once: then they do in the real one.
+    return figures.totalSeconds * (simulating * particles + drawing * pixels * frames) /
+           std::max(simulating + drawing, 1e-9);
+}
+
+void checkOptions(const RenderOptions& options, const FilmOptions& film)
+{
+    if (!film.stats.empty()) requireEnding("--stats ", film.stats, "a file of figures", {".json", ".txt", ""});
+    checkOutputs(film);
+    if (options.from.empty()) {
+        if (options.scene.empty()) throw InputError("SCENE is required, or --from; see knuckle render --help");
+        return;
+    }
+    if (film.record.any() || !film.stats.empty() || film.hash || film.checkpoint.seconds)
+        throw InputError("--from: nothing is simulated, so there is nothing to record, to measure or to go on with; "
+                         "leave out --record, --save-state, --stats, --hash, --checkpoint and --resume");
+}
+
+void requireOneScene(const RenderOptions& options)
+{
+    if (options.scenes.size() < 2) return;
+    if (!options.exports.empty() || !options.records.empty() || !options.film.record.last.empty() ||
+        !options.film.stats.empty() || !options.from.empty() || !options.resume.empty() ||
+        options.film.checkpoint.seconds)
+        throw InputError("several scenes: --export, --record, --save-state, --stats, --from, --checkpoint and --resume "
+                         "are for one at a time; leave them out, or call knuckle for each");
+    if (options.outputs.size() > 1 ||
+        (options.outputs.size() == 1 && (isFilm(options.outputs[0]) || FrameNames::areGivenBy(options.outputs[0]))))
+        throw InputError(fmt::format("-o {}: several scenes want a folder, in which each gets one of its own",
+                                     options.outputs.back()));
+    for (size_t k = 0; k < options.scenes.size(); ++k)
+        if (std::count(options.scenes.begin(), options.scenes.end(), options.scenes[k]) > 1)
+            throw InputError(fmt::format("{}: is given twice; name each scene once", options.scenes[k]));
+}
+
+}  // namespace knuckle
