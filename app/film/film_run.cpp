@@ -284,7 +284,7 @@ RunFigures runFilm(const Scene& scene, const FilmOptions& wanted, const CommonOp
     // A checkpoint is of a run to its end, so that a later one can tell how far it came.
     if (!options.checkpoint.seconds) options.frames.last = missing;
     FilmRun run(scene, options, common, std::move(exporters));
-    const RunFigures figures = run.run();
+    RunFigures figures = run.run();
     if (!common.quiet) {
         fmt::print("{}, {} of them drawn, in {} ({:.1f} frames/s): {}\n", counted(figures.frames, "frame"),
                    figures.drawing.frames, durationText(figures.totalSeconds),
