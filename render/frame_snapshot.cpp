@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/quantities/color_scale.h"
 #include "render/view/framed_sets.h"
 #include "shared/gpu_types.h"
 
@@ -50,8 +51,7 @@ FrameSnapshot::FrameSnapshot(const World& world, const RenderSettings& settings)
       showsCentres_(showsRotations_ ||
                     std::ranges::any_of(shotsOf(settings),
                                         [](const Shot& shot) { return shot.camera.kind == CameraKind::Follow; })),
-      showsSlots_(world.fluidCount > 0 &&
-                  (settings.colorBy == ColorBy::Pressure || settings.colorBy == ColorBy::Density))
+      showsSlots_(world.fluidCount > 0 && showsFluids(settings))
 {
 }
 

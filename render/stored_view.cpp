@@ -21,7 +21,7 @@ StoredView::StoredView(const World& world)
 
 ParticleView StoredView::upload(const ViewState& state)
 {
-    const auto fill = [](Buffer<gpu::vec4>& buffer, const std::vector<gpu::vec4>& values) {
+    const auto fill = []<typename T>(Buffer<T>& buffer, const std::vector<T>& values) {
         if (values.size() != buffer.size()) throw std::logic_error("the stored state is of another world");
         if (!values.empty()) buffer.upload(values);
         return buffer.id();
@@ -36,11 +36,7 @@ ParticleView StoredView::upload(const ViewState& state)
     const std::vector<gpu::vec4> none(foam_.size());
     view.foamPlaces = fill(foam_, state.foamPlaces.empty() ? none : state.foamPlaces);
     view.foamCount = static_cast<uint32_t>(foam_.size());
-    if (!state.fluidForms.empty()) {
-        if (state.fluidForms.size() != forms_.size()) throw std::logic_error("the stored forms are of another world");
-        forms_.upload(state.fluidForms);
-        view.fluidForms = forms_.id();
-    }
+    if (!state.fluidForms.empty()) view.fluidForms = fill(forms_, state.fluidForms);
     // None is stored where none is torn; bits are stored in whole words.
     std::vector<gpu::vec4> distances(distances_.size());
     for (size_t i = 0; i < std::min(distances.size(), state.tornDistances.size()); ++i)

@@ -12,6 +12,7 @@
 #include "app/run/interrupt.h"
 #include "app/run/progress.h"
 #include "app/states/picture_labels.h"
+#include "render/quantities/color_scale.h"
 #include "render/stored_view.h"
 #include "sim/base/errors.h"
 #include "sim/base/fnv_hash.h"
@@ -35,7 +36,7 @@ void requireSameWorld(const StatesFile& states, const Scene& scene)
     const FilmClock clock = facts.document.empty()
                                 ? FilmClock(facts.framesPerSecond, facts.stepsPerFrame, {})
                                 : storedClock(facts.source.file, facts.document, facts.stepsPerFrame);
-    if (scene.render.colorBy == ColorBy::Pressure || scene.render.colorBy == ColorBy::Density)
+    if (showsFluids(scene.render))
         throw InputError(fmt::format("{}: has no pressures and densities of fluids, which render.colorBy asks for; "
                                      "choose another, or render the scene",
                                      states.path()));

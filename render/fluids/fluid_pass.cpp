@@ -12,14 +12,14 @@ FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& worl
 {
     if (empty()) return;
     const Defines surface = {{"SURFACE", "1"}};
-    points_ = DrawPass(
-        gpu, table, {"spheres/sphere", "fluids/fluid_front", surface},
-        {"frame", "view", "sphereList", "sphereScales", "sphereColors", "positions", "fluidMaterials", "fluidForms"},
-        targets.fluidFront);
-    quads_ = DrawPass(
-        gpu, table, {"spheres/sphere_quad", "fluids/fluid_front", surface},
-        {"frame", "view", "sphereList", "sphereScales", "sphereColors", "positions", "fluidMaterials", "fluidForms"},
-        targets.fluidFront);
+    const auto front = [&](const char* vertex) {
+        return DrawPass(gpu, table, {vertex, "fluids/fluid_front", surface},
+                        {"frame", "view", "sphereList", "sphereScales", "sphereColors", "positions", "fluidMaterials",
+                         "fluidForms"},
+                        targets.fluidFront);
+    };
+    points_ = front("spheres/sphere");
+    quads_ = front("spheres/sphere_quad");
     const Defines map = {{"SURFACE", "1"}, {"SHADOW_TEXELS", std::to_string(FLUID_SHADOW_SIZE) + ".0"}};
     shadow_ = DrawPass(gpu, table, {"spheres/sphere_shadow", "spheres/sphere_shadow", map},
                        {"frame", "view", "sphereList", "sphereScales", "positions", "fluidMaterials"},

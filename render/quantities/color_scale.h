@@ -6,6 +6,12 @@
 
 namespace knuckle {
 
+/// Whether colours show a number that only fluids have, and that only the solver knows.
+inline bool showsFluids(const RenderSettings& settings)
+{
+    return settings.colorBy == ColorBy::Pressure || settings.colorBy == ColorBy::Density;
+}
+
 /// From the low to the high end of a palette.
 struct ColorScale {
     float low = 0.0f, high = 1.0f;  ///< In its unit.

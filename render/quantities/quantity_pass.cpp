@@ -1,10 +1,11 @@
 #include "render/quantities/quantity_pass.h"
 
-#include <span>
 #include <vector>
 
+#include "render/quantities/color_scale.h"
 #include "shared/draw_types.h"
 #include "sim/base/errors.h"
+#include "sim/gpu/filled_buffer.h"
 #include "sim/solver/layout/cluster_links.h"
 
 namespace knuckle {
@@ -22,21 +23,15 @@ gpu::vec4 besideOf(const Eigen::Matrix3d& m)
     return {static_cast<float>(m(0, 1)), static_cast<float>(m(0, 2)), static_cast<float>(m(1, 2)), 0.0f};
 }
 
-template <typename T>
-std::span<const T> spanOf(const std::vector<T>& values)
-{
-    return values;
-}
-
 }  // namespace
 
 QuantityPass::QuantityPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings)
     : particleCount_(static_cast<uint32_t>(world.particles.size())), isPressure_(settings.colorBy == ColorBy::Pressure)
 {
     const bool isStrain = settings.colorBy == ColorBy::Strain;
-    ofFluids_ = isPressure_ || settings.colorBy == ColorBy::Density;
+    ofFluids_ = showsFluids(settings);
     const std::vector<float> none(ofFluids_ || isStrain ? particleCount_ : 0, NO_QUANTITY);
-    shown_ = {"shownQuantities", spanOf(none)};
+    shown_ = filledBuffer("shownQuantities", none);
     table.add(Lifetime::Scratch, shown_);
     if (ofFluids_) {
         addSlots(table);
@@ -85,12 +80,12 @@ void QuantityPass::addClusters(BufferTable& table, const World& world)
     }
     starts.push_back(static_cast<uint32_t>(all.size()));
     clusterCount_ = static_cast<uint32_t>(clusters.size());
-    clusters_ = {"shownClusters", spanOf(clusters)};
-    moments_ = {"shownMoments", spanOf(moments)};
-    links_ = {"shownLinks", spanOf(links)};
-    linked_ = {"shownLinked", spanOf(linked)};
-    starts_ = {"clusterStarts", spanOf(starts)};
-    clustersOf_ = {"particleClusters", spanOf(all)};
+    clusters_ = filledBuffer("shownClusters", clusters);
+    moments_ = filledBuffer("shownMoments", moments);
+    links_ = filledBuffer("shownLinks", links);
+    linked_ = filledBuffer("shownLinked", linked);
+    starts_ = filledBuffer("clusterStarts", starts);
+    clustersOf_ = filledBuffer("particleClusters", all);
     strains_ = {"clusterStrains", clusters.size()};
     table.add(Lifetime::Constant, clusters_, moments_, links_, linked_, starts_, clustersOf_);
     table.add(Lifetime::Scratch, strains_);

@@ -5,10 +5,12 @@
 
 #include "render/color_word.h"
 #include "render/quantities/color_scale.h"
+#include "render/render_groups.h"
 #include "render/spheres/palette.h"
 #include "render/unseen.h"
 #include "shared/frame_types.h"
 #include "shared/matter_types.h"
+#include "sim/gpu/filled_buffer.h"
 #include "sim/solver/strand/strand_order.h"
 
 namespace knuckle {
@@ -93,10 +95,10 @@ bool RopePass::upload(BufferTable& table, const World& world, const RenderSettin
     const std::vector<uint32_t> indices = ringIndices();
     const gpu::DrawElementsArguments draw{static_cast<uint32_t>(indices.size()), static_cast<uint32_t>(nodes.size()), 0,
                                           0, 0};
-    ropes_ = {"tubeRopes", std::span<const gpu::vec4>(ropes)};
-    looks_ = {"tubeLooks", std::span<const gpu::vec4>(looks)};
-    nodes_ = {"tubeNodes", std::span<const gpu::uvec2>(nodes)};
-    indices_ = {"tubeIndices", std::span<const uint32_t>(indices)};
+    ropes_ = filledBuffer("tubeRopes", ropes);
+    looks_ = filledBuffer("tubeLooks", looks);
+    nodes_ = filledBuffer("tubeNodes", nodes);
+    indices_ = filledBuffer("tubeIndices", indices);
     draws_ = {"tubeDraws", std::span<const gpu::DrawElementsArguments>(&draw, 1)};
     frames_ = {"tubeFrames", 3 * nodes.size()};
     table.add(Lifetime::Constant, ropes_, looks_, nodes_);
@@ -107,7 +109,7 @@ bool RopePass::upload(BufferTable& table, const World& world, const RenderSettin
 void RopePass::update(KernelTimer& timer)
 {
     const auto count = static_cast<uint32_t>(ropes_.size() / 2);
-    if (count > 0) place_.dispatch(timer, (count + RENDER_GROUP_SIZE - 1) / RENDER_GROUP_SIZE);
+    if (count > 0) place_.dispatch(timer, renderGroups(count));
 }
 
 void RopePass::drawShadow(KernelTimer& timer) const

@@ -10,6 +10,7 @@
 #include "render/skins/skin_lods.h"
 #include "render/skins/skin_looks.h"
 #include "sim/base/errors.h"
+#include "sim/gpu/filled_buffer.h"
 
 namespace knuckle {
 
@@ -124,12 +125,6 @@ void requireRoom(const Gpu& gpu, const char* what, size_t texels)
                                      what, texels, limit));
 }
 
-template <typename T>
-void upload(Buffer<T>& buffer, const char* name, const std::vector<T>& data)
-{
-    buffer = {name, std::span<const T>(data)};
-}
-
 }  // namespace
 
 SkinBuffers::SkinBuffers(const Gpu& gpu, const World& world)
@@ -145,16 +140,16 @@ SkinBuffers::SkinBuffers(const Gpu& gpu, const World& world)
     groupCount = static_cast<uint32_t>(arrays.groups.size());
     requireRoom(gpu, "vertices", size_t{groupCount} * SKIN_GROUP_SIZE);
     requireRoom(gpu, "textures", arrays.looks.texels.size());
-    upload(indices, "skinIndices", arrays.indices);
-    upload(vertices, "skinVertices", arrays.vertices);
-    upload(vertexLooks, "skinVertexLooks", arrays.vertexLooks);
-    upload(lods, "skinLods", arrays.lods);
-    upload(wearers, "skinWearers", arrays.wearers);
-    upload(groups, "skinGroups", arrays.groups);
-    upload(centres, "skinCentres", arrays.centres);
-    upload(materials, "skinMaterials", arrays.looks.materials);
-    upload(levels, "skinLevels", arrays.looks.levels);
-    upload(texels, "skinTexels", arrays.looks.texels);
+    indices = filledBuffer("skinIndices", arrays.indices);
+    vertices = filledBuffer("skinVertices", arrays.vertices);
+    vertexLooks = filledBuffer("skinVertexLooks", arrays.vertexLooks);
+    lods = filledBuffer("skinLods", arrays.lods);
+    wearers = filledBuffer("skinWearers", arrays.wearers);
+    groups = filledBuffer("skinGroups", arrays.groups);
+    centres = filledBuffer("skinCentres", arrays.centres);
+    materials = filledBuffer("skinMaterials", arrays.looks.materials);
+    levels = filledBuffer("skinLevels", arrays.looks.levels);
+    texels = filledBuffer("skinTexels", arrays.looks.texels);
     draws = {"skinDraws", size_t{2} * wearerCount};
     placeCounts = {"skinPlaceCounts", wearerCount};
     places = {"skinPlaces", size_t{groupCount} * SKIN_GROUP_SIZE};

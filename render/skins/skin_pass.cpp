@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/looks/finishes.h"
+#include "render/render_groups.h"
 #include "shared/frame_types.h"
 
 namespace knuckle {
@@ -51,7 +52,7 @@ SkinPass::SkinPass(const Gpu& gpu, BufferTable& table, const World& world, const
 void SkinPass::update(KernelTimer& timer)
 {
     if (empty()) return;
-    lod_.dispatch(timer, (buffers_.wearerCount + RENDER_GROUP_SIZE - 1) / RENDER_GROUP_SIZE);
+    lod_.dispatch(timer, renderGroups(buffers_.wearerCount));
     pose_.dispatch(timer, buffers_.groupCount);
 }
 

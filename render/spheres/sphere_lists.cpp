@@ -2,6 +2,7 @@
 
 #include "shared/frame_types.h"
 
+#include "render/render_groups.h"
 #include "render/spheres/covered.h"
 
 namespace knuckle {
@@ -21,11 +22,6 @@ std::vector<float> scalesOf(const World& world)
     std::vector<float> scales;
     for (const Particle& particle : world.particles) scales.push_back(particle.scale);
     return scales;
-}
-
-uint32_t groupsOf(size_t threads)
-{
-    return static_cast<uint32_t>((threads + RENDER_GROUP_SIZE - 1) / RENDER_GROUP_SIZE);
 }
 
 }  // namespace
@@ -58,12 +54,12 @@ void SphereLists::update(KernelTimer& timer)
 {
     if (particleCount_ == 0) return;
     cells_.clear();
-    burialCount_.dispatch(timer, groupsOf(particleCount_));
-    burialCells_.dispatch(timer, groupsOf(CELL_COUNT));
-    burialHidden_.dispatch(timer, groupsOf(CELL_COUNT));
-    cull_.dispatch(timer, groupsOf(runLimit(particleCount_)));
+    burialCount_.dispatch(timer, renderGroups(particleCount_));
+    burialCells_.dispatch(timer, renderGroups(CELL_COUNT));
+    burialHidden_.dispatch(timer, renderGroups(CELL_COUNT));
+    cull_.dispatch(timer, renderGroups(runLimit(particleCount_)));
     offsets_.dispatch(timer, 1);
-    write_.dispatch(timer, groupsOf(runLimit(particleCount_)));
+    write_.dispatch(timer, renderGroups(runLimit(particleCount_)));
 }
 
 void SphereLists::draw(KernelTimer& timer, const DrawPass& pass, SphereGroup group, uint32_t kind) const

@@ -1,12 +1,13 @@
 #include "render/surfaces/surface_pass.h"
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
 #include "render/quantities/color_scale.h"
+#include "render/render_groups.h"
 #include "render/spheres/palette.h"
 #include "shared/frame_types.h"
+#include "sim/gpu/filled_buffer.h"
 
 namespace knuckle {
 
@@ -14,17 +15,6 @@ namespace {
 
 /// Draws by their arguments.
 enum Draw : uint32_t { FRONT, BACK, CLOTH_SHADOW, SOFT_SHADOW };
-
-uint32_t groupsOf(size_t threads)
-{
-    return static_cast<uint32_t>((threads + RENDER_GROUP_SIZE - 1) / RENDER_GROUP_SIZE);
-}
-
-template <typename T>
-void fill(Buffer<T>& buffer, const char* name, const std::vector<T>& data)
-{
-    buffer = {name, std::span<const T>(data)};
-}
 
 bool mayTear(const gpu::uvec4& cell)
 {
@@ -80,20 +70,20 @@ void SurfacePass::upload(BufferTable& table, const SurfaceArrays& arrays)
     const uint32_t ofCloth = 3 * clothTriangleCount_, all = static_cast<uint32_t>(indices.size());
     const std::vector<gpu::DrawElementsArguments> draws{
         {all, 1, 0, 0, 0}, {ofCloth, 1, 0, count, 0}, {ofCloth, 1, 0, 2 * count, 0}, {all - ofCloth, 1, ofCloth, 0, 0}};
-    fill(indices_, "surfaceIndices", indices);
-    fill(fanStarts_, "surfaceFanStarts", around.starts);
-    fill(fans_, "surfaceFans", around.triangles);
-    fill(particles_, "surfaceParticles", arrays.particles);
-    fill(looks_, "surfaceLooks", arrays.looks);
-    fill(sheets_, "clothSheets", arrays.sheets);
-    fill(clothVertices_, "clothVertices", arrays.clothVertices);
-    fill(nodes_, "clothNodes", arrays.clothNodes);
-    fill(clothCells_, "clothCells", arrays.clothCells);
-    fill(clothTriangles_, "clothTriangles", cloth);
-    fill(hemEdges_, "hemEdges", arrays.hemEdges);
-    fill(softVertices_, "softVertices", arrays.softVertices);
-    fill(softLinks_, "softLinks", arrays.softLinks);
-    fill(draws_, "surfaceDraws", draws);
+    indices_ = filledBuffer("surfaceIndices", indices);
+    fanStarts_ = filledBuffer("surfaceFanStarts", around.starts);
+    fans_ = filledBuffer("surfaceFans", around.triangles);
+    particles_ = filledBuffer("surfaceParticles", arrays.particles);
+    looks_ = filledBuffer("surfaceLooks", arrays.looks);
+    sheets_ = filledBuffer("clothSheets", arrays.sheets);
+    clothVertices_ = filledBuffer("clothVertices", arrays.clothVertices);
+    nodes_ = filledBuffer("clothNodes", arrays.clothNodes);
+    clothCells_ = filledBuffer("clothCells", arrays.clothCells);
+    clothTriangles_ = filledBuffer("clothTriangles", cloth);
+    hemEdges_ = filledBuffer("hemEdges", arrays.hemEdges);
+    softVertices_ = filledBuffer("softVertices", arrays.softVertices);
+    softLinks_ = filledBuffer("softLinks", arrays.softLinks);
+    draws_ = filledBuffer("surfaceDraws", draws);
     places_ = {"surfacePlaces", count};
     normals_ = {"surfaceNormals", count};
     torn_ = {"clothTorn", cellCount_};
@@ -106,16 +96,16 @@ void SurfacePass::update(KernelTimer& timer)
 {
     if (indices_.size() == 0) return;
     if (tears_) {
-        clothCellsKernel_.dispatch(timer, groupsOf(cellCount_));
-        clothTrianglesKernel_.dispatch(timer, groupsOf(clothTriangleCount_));
+        clothCellsKernel_.dispatch(timer, renderGroups(cellCount_));
+        clothTrianglesKernel_.dispatch(timer, renderGroups(clothTriangleCount_));
         glMemoryBarrier(GL_ELEMENT_ARRAY_BARRIER_BIT);
     }
-    if (clothVertexCount_ > 0) clothPlacesKernel_.dispatch(timer, groupsOf(clothVertexCount_));
+    if (clothVertexCount_ > 0) clothPlacesKernel_.dispatch(timer, renderGroups(clothVertexCount_));
     if (softVertexCount_ > 0) {
         glProgramUniform1ui(softPlacesKernel_.program(), 0, clothVertexCount_);
-        softPlacesKernel_.dispatch(timer, groupsOf(softVertexCount_));
+        softPlacesKernel_.dispatch(timer, renderGroups(softVertexCount_));
     }
-    normalsKernel_.dispatch(timer, groupsOf(looks_.size()));
+    normalsKernel_.dispatch(timer, renderGroups(looks_.size()));
 }
 
 void SurfacePass::drawShadow(KernelTimer& timer) const

@@ -43,8 +43,7 @@ namespace knuckle::gpu {
 // Vertices of a strip of triangles around a box.
 #define BOX_STRIP 14
 // Per shape of a body: half sides of its box, radius around it; its middle from the body's mass centre at rest, w: the
-// body; colour, two particles whose mean moves as the middle does; w: its
-// finish.
+// body; colour, two particles whose mean moves as the middle does, finish.
 #define SHAPE_TEXELS 3
 
 // Spheres of a list, and how they are drawn from it; each list has its own draw arguments.

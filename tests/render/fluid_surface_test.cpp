@@ -112,6 +112,24 @@ TEST(FluidSurface, BendsLightAsSnellsLawHasIt)
     EXPECT_LT(height, 0.1 * SPACING) << "the surface is not flat: " << deviation << " pixels";
 }
 
+/// What of a picture a drop has changed: its width, its height and how many pixels.
+struct Silhouette {
+    Silhouette(const Image& with, const Image& without)
+    {
+        uint32_t low[2] = {SIZE, SIZE}, high[2] = {0, 0};
+        for (uint32_t y = 0; y < SIZE; ++y)
+            for (uint32_t x = 0; x < SIZE; ++x) {
+                if ((pixelAt(with, x, y) - pixelAt(without, x, y)).cwiseAbs().sum() < 30) continue;
+                area += 1.0;
+                low[0] = std::min(low[0], x), high[0] = std::max(high[0], x);
+                low[1] = std::min(low[1], y), high[1] = std::max(high[1], y);
+            }
+        wide = high[0] - low[0] + 1;
+        tall = high[1] - low[1] + 1;
+    }
+    double wide = 0.0, tall = 0.0, area = 0.0;
+};
+
 TEST(FluidSurface, OfADropIsRound)
 {
     StillWorld still(0.1f);
@@ -123,16 +141,7 @@ TEST(FluidSurface, OfADropIsRound)
     const Image without = drawn(still.world, settings);
     addFluid(still.world, {{0, 0, 0}});
     const Image with = drawn(still.world, settings);
-    double area = 0.0;
-    uint32_t low[2] = {SIZE, SIZE}, high[2] = {0, 0};
-    for (uint32_t y = 0; y < SIZE; ++y)
-        for (uint32_t x = 0; x < SIZE; ++x) {
-            if ((pixelAt(with, x, y) - pixelAt(without, x, y)).cwiseAbs().sum() < 30) continue;
-            area += 1.0;
-            low[0] = std::min(low[0], x), high[0] = std::max(high[0], x);
-            low[1] = std::min(low[1], y), high[1] = std::max(high[1], y);
-        }
-    const double wide = high[0] - low[0] + 1, tall = high[1] - low[1] + 1;
+    const auto [wide, tall, area] = Silhouette(with, without);
     const double angle = std::asin(SURFACE_RADIUS * 0.3 / 1.2),
                  scale = 0.5 * SIZE / std::tan(15.0 * std::numbers::pi / 180.0);
     EXPECT_NEAR(wide, 2.0 * scale * std::tan(angle), 0.03 * wide);
@@ -153,14 +162,7 @@ TEST(FluidSurface, OfAStretchedDropIsAsLongAndAsThickAsItsForm)
     const Image without = drawn(still.world, settings);
     addFluid(still.world, {{0, 0, 0}});
     const Image with = drawn(still.world, settings, 0.0, {packedForm({1, 0, 0}, along, across)});
-    uint32_t wide = 0, tall = 0;
-    for (uint32_t k = 0; k < SIZE; ++k) {
-        const auto changes = [&](uint32_t x, uint32_t y) {
-            return (pixelAt(with, x, y) - pixelAt(without, x, y)).cwiseAbs().sum() >= 30;
-        };
-        wide += changes(k, SIZE / 2) ? 1 : 0;
-        tall += changes(SIZE / 2, k) ? 1 : 0;
-    }
+    const auto [wide, tall, area] = Silhouette(with, without);
     const double pixels = SURFACE_RADIUS * 0.1 * SIZE / (2.4 * std::tan(2.5 * std::numbers::pi / 180.0));
     EXPECT_NEAR(wide, along * pixels, 0.03 * wide);
     EXPECT_NEAR(tall, across * pixels, 0.03 * tall);
