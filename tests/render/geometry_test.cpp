@@ -128,6 +128,32 @@ TEST(SphereGeometry, LeavingOutBuriedParticlesOpensNoHoles)
     EXPECT_EQ(holes, 0);
 }
 
+TEST(SphereGeometry, LeavingOutBuriedParticlesOpensNoHolesBetweenRows)
+{
+    // Seen along rows that are straight to a fifth of a diameter, so that rays go many layers deep between them.
+    std::vector<Vector3f> places = cubeLattice(28, 0.1f);
+    uint32_t word = 1;
+    for (Vector3f& place : places) {
+        for (float& along : place) {
+            word = word * 1664525u + 1013904223u;
+            along += 0.04f * (static_cast<float>(word >> 8) / 16777216.0f - 0.5f);
+        }
+    }
+    StillWorld still(0.05f);
+    still.addBody(places, {0, 0, 0});
+    still.world.materials[0].color = {0.9f, 0.02f, 0.02f};
+    const float distance = 4.0f;
+    const Image image = drawn(still.world, flatColors(distance));
+    int holes = 0;
+    for (uint32_t y = SIZE / 4; y < 3 * SIZE / 4; ++y) {
+        for (uint32_t x = SIZE / 4; x < 3 * SIZE / 4; ++x) {
+            const bool meets = firstHit(still.world, distance, x, y) >= 0;
+            holes += meets && shown(pixelAt(image, x, y)) != 0;
+        }
+    }
+    EXPECT_EQ(holes, 0);
+}
+
 /// The mean brightness of the ground at `x` in front of a camera that looks straight down on the origin.
 int groundBrightness(const Image& image, float x, float height)
 {

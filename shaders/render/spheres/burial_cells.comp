@@ -1,5 +1,5 @@
-// One thread decides whether particles in one cell can be seen or lit from anywhere: they cannot if each of the six
-// layers of 3x3 cells around it is full.
+// One thread decides whether a cell is buried, so that nothing is seen or lit through it: if each of the six layers of
+// 3x3 cells around it is full.
 #include "render/spheres/burial.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;

@@ -1,5 +1,6 @@
-// One thread decides whether particles in one cell are hidden from the eye and the light: if the cell is buried, or a
-// buried cell is in the way from each of its corners. Particles in or behind a buried cell cannot be seen.
+// One thread decides whether particles in one cell are hidden from the eye and the light: if a buried cell is in the
+// way from each of its corners. Those of a buried cell may be seen through the gaps of the one layer of cells before it,
+// where particles stand in rows.
 #include "render/spheres/burial.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
@@ -41,11 +42,7 @@ void main()
         cells[cell] = 0u;
         return;
     }
-    uint hidden = HIDDEN_FROM_EYE | HIDDEN_FROM_LIGHT;
-    if (buried[cell] == 0u) {
-        vec3 low = vec3(place);
-        hidden = (hiddenFrom(low, burialPlace(view.cameraPosition.xyz), false) ? HIDDEN_FROM_EYE : 0u) |
-                 (hiddenFrom(low, frame.keyDirection.xyz / view.cellSize.xyz, true) ? HIDDEN_FROM_LIGHT : 0u);
-    }
-    cells[cell] = hidden;
+    vec3 low = vec3(place);
+    cells[cell] = (hiddenFrom(low, burialPlace(view.cameraPosition.xyz), false) ? HIDDEN_FROM_EYE : 0u) |
+                  (hiddenFrom(low, frame.keyDirection.xyz / view.cellSize.xyz, true) ? HIDDEN_FROM_LIGHT : 0u);
 }
