@@ -24,6 +24,10 @@ FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& worl
     shadow_ = DrawPass(gpu, table, {"spheres/sphere_shadow", "spheres/sphere_shadow", map},
                        {"frame", "view", "sphereList", "sphereScales", "positions", "fluidMaterials"},
                        targets.fluidShadowMap);
+    bends_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus"}, {"frame", "view", "fluidShadowPicture"},
+                      targets.fluidBends);
+    focus_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", {{"COLUMNS", "1"}}},
+                      {"frame", "view", "fluidBendPicture"}, targets.fluidLens);
     tint_ = DrawPass(gpu, table, {"fluids/fluid_tint", "fluids/fluid_tint"},
                      {"frame", "view", "positions", "sphereScales", "fluidLooks", "fluidMaterials", "depthPicture"},
                      targets.fluidInside);
@@ -53,6 +57,8 @@ void FluidPass::drawShadow(KernelTimer& timer, const SphereLists& lists) const
 {
     targets_.fluidShadowMap.clear();
     lists.draw(timer, shadow_, SphereGroup::Fluid, SHADOW_DRAW);
+    bends_.drawScreen(timer);
+    focus_.drawScreen(timer);
 }
 
 void FluidPass::draw(KernelTimer& timer, const SphereLists& lists, uint32_t foamCount)

@@ -19,7 +19,7 @@ public:
     FluidPass& operator=(const FluidPass&) = delete;
 
     bool empty() const { return count_ == 0; }
-    /// Into the shadow map of fluids.
+    /// Into the shadow map of fluids, and what their surface gathers of the light.
     void drawShadow(KernelTimer& timer, const SphereLists& lists) const;
     /// After lighting: changes the lit picture.
     /// @param foamCount  Points of foam, spray and bubbles.
@@ -31,7 +31,7 @@ private:
 
     RenderTargets& targets_;
     uint32_t count_;
-    DrawPass points_, quads_, shadow_, tint_, rows_, columns_, clean_, shade_, foam_, foamShade_;
+    DrawPass points_, quads_, shadow_, bends_, focus_, tint_, rows_, columns_, clean_, shade_, foam_, foamShade_;
 };
 
 }  // namespace knuckle

@@ -24,7 +24,8 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
     lighting_ = targets.hasSurfaces()
                     ? DrawPass(gpu, table, lit,
                                {"frame", "view", "depthPicture", "surfacePicture", "shadePicture", "fluidShadowPicture",
-                                "fluidLooks", "fluidMaterials", "finishes", "lightSources", "skyPicture", "skyBlurs"},
+                                "fluidFocusPicture", "fluidLooks", "fluidMaterials", "finishes", "lightSources",
+                                "skyPicture", "skyBlurs"},
                                targets.lighting)
                     : DrawPass(gpu, table, lit,
                                {"frame", "view", "depthPicture", "surfacePicture", "shadePicture", "finishes",

@@ -47,11 +47,15 @@ RenderTargets::RenderTargets(const RenderSettings& settings, bool hasSurfaces)
     fluidGlow = Texture("fluidGlowPicture", GL_RGBA16F, halfW, halfH, GL_LINEAR);
     foam = Texture("foamPicture", GL_RGBA16F, w, h);
     fluidShadow = Texture("fluidShadowPicture", GL_DEPTH_COMPONENT32F, FLUID_SHADOW_SIZE, FLUID_SHADOW_SIZE);
+    fluidBend = Texture("fluidBendPicture", GL_RGBA32F, FLUID_SHADOW_SIZE, FLUID_SHADOW_SIZE);
+    fluidFocus = Texture("fluidFocusPicture", GL_RG16F, FLUID_SHADOW_SIZE, FLUID_SHADOW_SIZE, GL_LINEAR);
     fluidFront = Framebuffer("fluid front", {}, &fluidDepth);
     fluidRows = Framebuffer("fluid rows", {&fluidWide}, nullptr);
     fluidColumns = Framebuffer("fluid columns", {&fluidSmooth}, nullptr);
     fluidInside = Framebuffer("fluid inside", {&fluidTint, &fluidGlow}, nullptr);
     fluidShadowMap = Framebuffer("fluid shadow map", {}, &fluidShadow);
+    fluidBends = Framebuffer("fluid bends", {&fluidBend}, nullptr);
+    fluidLens = Framebuffer("fluid lens", {&fluidFocus}, nullptr);
     foamCover = Framebuffer("foam", {&foam}, nullptr);
 }
 
@@ -60,7 +64,8 @@ void RenderTargets::addTo(BufferTable& table) const
     table.add(surface, depth, shadow, shade, lit, smoothed);
     if (resolved.id() != 0) table.add(resolved);
     if (isTransparent()) table.add(cover, smoothedCover);
-    if (hasSurfaces()) table.add(fluidDepth, fluidWide, fluidSmooth, fluidTint, fluidGlow, fluidShadow, foam);
+    if (hasSurfaces())
+        table.add(fluidDepth, fluidWide, fluidSmooth, fluidTint, fluidGlow, fluidShadow, fluidBend, fluidFocus, foam);
 }
 
 }  // namespace knuckle

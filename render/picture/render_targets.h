@@ -28,8 +28,9 @@ struct RenderTargets {
     Texture fluidWide, fluidSmooth;  ///< View depth of its surface, smoothed along rows, and along columns too [m].
     Texture fluidTint, fluidGlow;    ///< Half resolution: fluid_tint.frag.
     Texture fluidShadow;             ///< Depth of fluid as seen by the key light.
+    Texture fluidBend, fluidFocus;   ///< How its surface gathers that light, along rows, and in all: fluid_focus.frag.
     Texture foam;                    ///< Light times coverage, coverage (foam.frag).
-    Framebuffer fluidFront, fluidRows, fluidColumns, fluidInside, fluidShadowMap, foamCover, wet;
+    Framebuffer fluidFront, fluidRows, fluidColumns, fluidInside, fluidShadowMap, fluidBends, fluidLens, foamCover, wet;
     Framebuffer geometry, shadowMap, occlusion, lighting, edges, resolve;
 };
 
