@@ -4,10 +4,9 @@
 #include "render/common/frame_blocks.glsl"
 #include "render/common/sky.glsl"
 #include "render/common/tone_map.glsl"
+#include "render/fluids/seen_through.glsl"
+#include "render/fluids/surface_slope.glsl"
 
-uniform sampler2D litPicture;
-uniform sampler2D depthPicture;
-uniform sampler2D fluidWidePicture;
 uniform sampler2D fluidTintPicture;
 uniform sampler2D fluidGlowPicture;
 layout(location = 0) out vec4 picture;
@@ -15,51 +14,20 @@ layout(location = 0) out vec4 picture;
 const float REFRACTION = 1.0 / 1.333;
 const float REFLECTION = 0.02;   // of light that falls straight on it
 const float SUN_SHARPNESS = 300.0;
+// Below this share only the sky is mirrored.
+const float MIRRORS_THINGS = 0.025;
+const int MIRROR_STEPS = 24;
+const float MIRROR_GROWTH = 1.2;
 
-vec3 surfacePoint(ivec2 pixel)
+/// What comes along a mirrored ray. @param share  Of it that is seen.
+vec3 mirroredLight(vec3 p, vec3 n, vec3 way, float share)
 {
-    return viewRay(vec2(pixel) + 0.5) * texelFetch(fluidWidePicture, pixel, 0).r;
-}
-
-/// The change of place from pixel to pixel: the mean of both sides, or at edges that of the side more like this.
-/// @param crease  Gets more where both differ. @param turned  Gets the square of the angle between them.
-vec3 slopeAlong(ivec2 pixel, ivec2 way, vec3 here, inout float crease, inout float turned)
-{
-    ivec2 last = ivec2(frame.width, frame.height) - 1;
-    vec3 ahead = surfacePoint(min(pixel + way, last)) - here, behind = here - surfacePoint(max(pixel - way, ivec2(0)));
-    vec2 sizes = abs(vec2(ahead.z, behind.z));
-    if (any(equal(pixel - way, ivec2(-1)))) return ahead;
-    if (any(greaterThan(pixel + way, last))) return behind;
-    float bend = length(ahead - behind) / max(length(ahead + behind), 1e-9);
-    crease += clamp(bend - 0.3, 0.0, 1.0);
-    turned += 4.0 * bend * bend;
-    if (max(sizes.x, sizes.y) < 1.5 * frame.fluidRadius) return 0.5 * (ahead + behind);
-    return sizes.x < sizes.y ? ahead : behind;
-}
-
-/// How far behind a bent ray things are, where it has gone that far [m]. @param place  There, as a texture coordinate.
-float gapBehind(vec3 p, vec3 way, float far, out vec2 place)
-{
-    vec3 there = p + far * way;
-    place = clamp(pictureOf(there), vec2(0.0), vec2(1.0));
-    return textureLod(depthPicture, place, 0.0).r * frame.farDepth + there.z;
-}
-
-/// Where a bent ray meets what is behind the surface, as a texture coordinate: by secants, which find a plane at once.
-/// It is bent only as far as the fluid reaches, `inside` [m].
-vec2 seenThrough(vec3 p, vec3 way, ivec2 pixel, float inside)
-{
-    vec2 straight = (vec2(pixel) + 0.5) / vec2(frame.width, frame.height), place;
-    float before = 0.0, gapBefore = texelFetch(depthPicture, pixel, 0).r * frame.farDepth + p.z;
-    float far = min(gapBefore / max(-way.z, 0.2), inside), gap = gapBehind(p, way, far, place);
-    for (int k = 0; k < 2; ++k) {
-        float slope = (gap - gapBefore) / max(far - before, 1e-6), next = far - gap / min(slope, -0.2);
-        before = far, gapBefore = gap;
-        far = clamp(next, 0.0, inside);
-        gap = gapBehind(p, way, far, place);
-    }
-    // What stands before the fluid is not seen through it.
-    return gap - dot(far * way, vec3(0, 0, 1)) > 0.0 ? place : straight;
+    vec3 light = skyTowards(way);
+    if (share < MIRRORS_THINGS) return light;
+    float along = met(p + 0.002 * -p.z * n, way, MIRROR_STEPS, MIRROR_GROWTH);
+    if (along < 0.0) return light;
+    vec2 place = pictureOf(p + along * way);
+    return mix(light, lightIn(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w, knownShare(place));
 }
 
 void main()
@@ -91,7 +59,7 @@ void main()
     // more than that: edges at walls would have a bright rim.
     float sharpness = 1.0 / (1.0 / SUN_SHARPNESS + turned), dimmed = sharpness / SUN_SHARPNESS;
     float glint = 0.8 * dimmed * dimmed * pow(max(dot(mirror, view.keyInView.xyz), 0.0), sharpness);
-    vec3 radiance = mix(through + back, skyTowards(mirror), mirrored) + glint * frame.keyColor.rgb;
+    vec3 radiance = mix(through + back, mirroredLight(p, n, mirror, mirrored), mirrored) + glint * frame.keyColor.rgb;
 #ifdef FOG
     radiance = mix(frame.fog.rgb, radiance, clear);
 #endif

@@ -4,7 +4,7 @@
 #include "render/common/sky.glsl"
 #include "render/picture/shade.glsl"
 #ifdef FLUIDS
-#include "render/common/fluid_shadow.glsl"
+#include "render/picture/fluid_shadow.glsl"
 #endif
 
 uniform usampler2D shadePicture;

@@ -1,6 +1,6 @@
 // Where a pixel's ray meets a grain: an ellipsoid with faces cut off.
 #include "math/quaternion.glsl"
-#include "render/common/sphere_hit.glsl"
+#include "render/spheres/sphere_hit.glsl"
 
 flat in vec4 grainRotation;                 // from its own axes to the view's
 flat in vec4 grainRadii;                    // [m]; w: 1 for a grain

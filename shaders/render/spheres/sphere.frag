@@ -1,6 +1,6 @@
 // The sphere's nearest point on the pixel's ray: its depth, normal and colour.
 #include "render/common/surface.glsl"
-#include "render/common/sphere_hit.glsl"
+#include "render/spheres/sphere_hit.glsl"
 #include "math/quaternion.glsl"
 #ifdef PATTERNS
 #include "render/common/finish_pattern.glsl"
