@@ -6,16 +6,17 @@
 
 namespace knuckle {
 
-FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& world, const RenderSettings& settings,
+FluidPass::FluidPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings,
                      RenderTargets& targets)
     : targets_(targets), count_(targets.hasSurfaces() ? world.fluidCount : 0)
 {
     if (empty()) return;
-    const Defines surface = {{"SURFACE", "1"}};
+    underwater_.emplace(gpu, table, count_, settings, targets);
+    const Defines surface = {{"SURFACE", "1"}, {"FROM_OUTSIDE", "1"}};
     const auto front = [&](const char* vertex) {
         return DrawPass(gpu, table, {vertex, "fluids/fluid_front", surface},
                         {"frame", "view", "sphereList", "sphereScales", "sphereColors", "positions", "fluidMaterials",
-                         "fluidForms"},
+                         "fluidForms", "submersion"},
                         targets.fluidFront);
     };
     points_ = front("spheres/sphere");
@@ -28,9 +29,10 @@ FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& worl
                       targets.fluidBends);
     focus_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", {{"COLUMNS", "1"}}},
                       {"frame", "view", "fluidBendPicture"}, targets.fluidLens);
-    tint_ = DrawPass(gpu, table, {"fluids/fluid_tint", "fluids/fluid_tint"},
-                     {"frame", "view", "positions", "sphereScales", "fluidLooks", "fluidMaterials", "depthPicture"},
-                     targets.fluidInside);
+    tint_ = DrawPass(
+        gpu, table, {"fluids/fluid_tint", "fluids/fluid_tint", surface},
+        {"frame", "view", "positions", "sphereScales", "fluidLooks", "fluidMaterials", "depthPicture", "submersion"},
+        targets.fluidInside);
     tint_.setAdditive();
     rows_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_smooth"}, {"frame", "view", "fluidDepthPicture"},
                      targets.fluidRows);
@@ -46,7 +48,7 @@ FluidPass::FluidPass(const Gpu& gpu, const BufferTable& table, const World& worl
     if (!FoamStage::isNeeded(world)) return;
     foam_ = DrawPass(gpu, table, {"fluids/foam", "fluids/foam"},
                      {"frame", "view", "foamPlaces", "fluidLooks", "fluidMaterials", "depthPicture", "shadowPicture",
-                      "fluidWidePicture", "fluidGlowPicture"},
+                      "fluidWidePicture", "fluidGlowPicture", "submersion"},
                      targets.foamCover);
     foam_.setAdditive();
     foamShade_ = DrawPass(gpu, table, {"picture/screen", "fluids/foam_shade", displayDefines(settings)},
@@ -63,6 +65,7 @@ void FluidPass::drawShadow(KernelTimer& timer, const SphereLists& lists) const
 
 void FluidPass::draw(KernelTimer& timer, const SphereLists& lists, uint32_t foamCount)
 {
+    underwater_->update(timer);
     targets_.fluidFront.clear();
     lists.draw(timer, points_, SphereGroup::Fluid, POINT_DRAW);
     lists.draw(timer, quads_, SphereGroup::Fluid, QUAD_DRAW);
@@ -73,6 +76,7 @@ void FluidPass::draw(KernelTimer& timer, const SphereLists& lists, uint32_t foam
     clean_.drawScreen(timer);
     targets_.smoothed.copy(targets_.lit);
     shade_.drawScreen(timer);
+    underwater_->draw(timer);
     targets_.lit.copy(targets_.smoothed);
     if (foamCount > 0) drawFoam(timer, foamCount);
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "render/fluids/underwater_pass.h"
 #include "render/picture/render_targets.h"
 #include "render/settings.h"
 #include "render/spheres/sphere_lists.h"
@@ -13,7 +16,7 @@ public:
     /// @param table must have "frame", "view", "positions", "foamPlaces", the targets' textures and the buffers of
     /// FluidLooks,
     /// SphereLists and SpherePass.
-    FluidPass(const Gpu& gpu, const BufferTable& table, const World& world, const RenderSettings& settings,
+    FluidPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings,
               RenderTargets& targets);
     FluidPass(const FluidPass&) = delete;
     FluidPass& operator=(const FluidPass&) = delete;
@@ -31,6 +34,7 @@ private:
 
     RenderTargets& targets_;
     uint32_t count_;
+    std::optional<UnderwaterPass> underwater_;
     DrawPass points_, quads_, shadow_, bends_, focus_, tint_, rows_, columns_, clean_, shade_, foam_, foamShade_;
 };
 

@@ -1,10 +1,6 @@
-// How the surface of fluid, as the key light sees it, gathers light: its curvature, by derivatives of Gaussians along
-// rows and, COLUMNS, along columns of what came of that. Waves are wider than these, particles are not.
-#include "render/common/frame_blocks.glsl"
-
-const float WIDTH = 1.2;         // of the Gaussian [rest distances]
-const float MOST_TEXELS = 8.0;
-const float MOST_STEP = 1.0;     // between neighbours that count as one surface [rest distances]
+// How the surface of fluid, as the key light sees it, gathers light: its curvature, by derivatives along rows and,
+// COLUMNS, along columns of what came of that.
+#include "render/fluids/gaussian.glsl"
 
 #ifdef COLUMNS
 uniform sampler2D fluidBendPicture;
@@ -13,13 +9,6 @@ layout(location = 0) out vec2 focus;      // trace [1/m] and determinant [1/m^2]
 uniform sampler2D fluidShadowPicture;
 layout(location = 0) out vec3 bend;       // depth [m], below 0 for none, and its first and second derivatives
 #endif
-
-// The Gaussian, its first and its second derivative.
-vec3 weightsAt(float x, float width)
-{
-    float q = x / width, one = exp(-0.5 * q * q);
-    return one * vec3(1.0, q / width, (q * q - 1.0) / (width * width));
-}
 
 void main()
 {
@@ -34,24 +23,22 @@ void main()
     bool any = middle < 1.0;
     middle *= metres;
 #endif
-    float spacing = frame.fluidRadius / SURFACE_RADIUS, texel = 2.0 * view.lightCentre.w / float(last.x + 1);
-    float width = clamp(WIDTH * spacing, texel, MOST_TEXELS * texel), most = MOST_STEP * spacing;
-    int reach = any ? int(ceil(2.5 * width / texel)) : 0;
+    float texel = 2.0 * view.lightCentre.w / float(last.x + 1), width = gaussianWidth(texel), weight = 0.0;
+    int reach = any ? gaussianReach(texel) : 0;
     vec3 sum = vec3(0.0);
-    float weight = 0.0;
     for (int k = -reach; k <= reach; ++k) {
         vec3 weights = weightsAt(float(k) * texel, width);
         weight += weights.x;
 #ifdef COLUMNS
         vec3 there = texelFetch(fluidBendPicture, clamp(here + ivec2(0, k), ivec2(0), last), 0).rgb;
         if (there.x < 0.0) there = middle;
-        sum += weights * vec3(there.z, there.y, clamp(there.x - middle.x, -most, most));
+        sum += weights * vec3(there.z, there.y, stepOf(there.x, middle.x));
     }
     sum /= weight;
     focus = any ? vec2(sum.x + sum.z, sum.x * sum.z - sum.y * sum.y) : vec2(0.0);
 #else
         float there = metres * texelFetch(fluidShadowPicture, clamp(here + ivec2(k, 0), ivec2(0), last), 0).r;
-        sum += weights * clamp(there - middle, -most, most);
+        sum += weights * stepOf(there, middle);
     }
     bend = any ? sum / weight + vec3(middle, 0.0, 0.0) : vec3(-1.0, 0.0, 0.0);
 #endif

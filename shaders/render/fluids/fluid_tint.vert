@@ -5,7 +5,6 @@
 #include "render/common/fluid_looks.glsl"
 
 uniform samplerBuffer positions;
-uniform usamplerBuffer fluidMaterials;   // by fluid particle
 uniform sampler2D depthPicture;
 
 flat out vec4 tint, glow;   // of the light through its middle, see fluid_tint.frag
@@ -35,7 +34,7 @@ void main()
     float chord = spacing * spacing * spacing * 3.0 / (3.14159 * radius * radius);
     tint = vec4(look.absorption, look.scattering) * chord;
     glow = vec4(look.color * look.scattering, 1.0) * chord;
-    bool seen = material != NO_SURFACE && isThere(position) && -centre.z > radius && isInFront(bounds, -centre.z);
+    bool seen = !isLeftOut(i) && isThere(position) && -centre.z > radius && isInFront(bounds, -centre.z);
     gl_PointSize = max(max(size.x, size.y), 1.0);
     gl_Position = seen ? vec4(0.5 * (bounds.xy + bounds.zw), 0.0, 1.0) : NOWHERE;
 }

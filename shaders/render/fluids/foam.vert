@@ -4,6 +4,7 @@
 #include "render/common/frame_blocks.glsl"
 #include "render/common/fluid_kind.glsl"
 #include "render/common/fluid_looks.glsl"
+#include "render/common/submersion.glsl"
 
 uniform samplerBuffer foamPlaces;        // xyz [m], w: opacity
 uniform usamplerBuffer fluidMaterials;   // by fluid particle
@@ -28,7 +29,8 @@ vec3 throughWater(float depth, ivec2 pixel)
     float below = depth - texelFetch(fluidWidePicture, pixel, 0).r - AFLOAT * frame.fluidRadius;
     // Of several fluids the first one's colour is taken.
     FluidLook look = fetchFluidLook(texelFetch(fluidMaterials, 0).x);
-    return exp(-(look.absorption + look.scattering) * clamp(below, 0.0, textureLod(fluidGlowPicture, place, 0.0).a));
+    float way = isUnderWater() ? depth : clamp(below, 0.0, textureLod(fluidGlowPicture, place, 0.0).a);
+    return exp(-(look.absorption + look.scattering) * way);
 }
 
 vec3 lightAt(vec3 p)

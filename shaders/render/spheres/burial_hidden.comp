@@ -1,6 +1,6 @@
 // One thread decides whether particles in one cell are hidden from the eye and the light: if a buried cell is in the
-// way from each of its corners. Those of a buried cell may be seen through the gaps of the one layer of cells before it,
-// where particles stand in rows.
+// way from each of its corners. Those of a buried cell may be seen through the gaps of the one layer of cells before
+// it, where particles stand in rows.
 #include "render/spheres/burial.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;

@@ -63,7 +63,7 @@ TEST(FluidMirror, ShowsWhatStandsBehindByFresnelsLaw)
     // Schlick's form of it.
     const double share = 0.02 + 0.98 * std::pow(1.0 - std::sin(slant), 5.0);
     ASSERT_GT(light(row), 0.2);
-    // Pixels hold the dimmer light to a fiftieth; bumps of a degree change the share by a tenth, and their mean by less.
+    // Pixels hold the dimmer light to a fiftieth; bumps of a degree change the share by a tenth, their mean by less.
     EXPECT_NEAR(light(SIZE / 2) / light(row), share, 0.07 * share);
 }
 

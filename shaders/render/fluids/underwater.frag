@@ -1,0 +1,94 @@
+// What a camera in fluid sees: things through the fluid, and its upper surface from below, where rays leave it (Snell)
+// or are thrown back (Fresnel).
+#include "render/common/fluid_looks.glsl"
+#include "render/common/mirrored.glsl"
+#include "render/common/sky.glsl"
+#include "render/common/tone_map.glsl"
+#include "render/fluids/top_map.glsl"
+
+uniform sampler2D topPicture;
+uniform usamplerBuffer fluidMaterials;   // by fluid particle
+layout(location = 0) out vec4 picture;
+
+const float INDEX = 1.333;
+const int STEPS = 48, HALVINGS_UP = 6;
+const int MIRROR_STEPS = 24;
+const float MIRROR_GROWTH = 1.2;
+// How far light is followed that the surface throws back, where nothing is seen to be met [m].
+const float THROWN_BACK = 3.0;
+
+vec3 topAt(vec3 world)
+{
+    return textureLod(topPicture, 0.5 * topPlace(world) + 0.5, 0.0).xyz;
+}
+
+bool isOutside(vec3 world)
+{
+    return any(greaterThan(abs(topPlace(world)), vec2(1.0))) || world.y > topAt(world).x;
+}
+
+/// Where a ray from the camera leaves the fluid [m]; `limit` if it does not before.
+float wayInside(vec3 from, vec3 way, float limit)
+{
+    float before = 0.0, far = limit;
+    for (int k = 1; k <= STEPS; ++k) {
+        far = limit * float(k) / float(STEPS);
+        if (isOutside(from + far * way)) break;
+        before = far;
+    }
+    if (before >= limit) return limit;
+    for (int k = 0; k < HALVINGS_UP; ++k) {
+        float middle = 0.5 * (before + far);
+        if (isOutside(from + middle * way)) far = middle;
+        else before = middle;
+    }
+    return far;
+}
+
+/// What comes along a ray, all in view space: from what it meets, or else `rest`.
+vec3 lightAlong(vec3 p, vec3 way, vec3 rest)
+{
+    float along = met(p, way, MIRROR_STEPS, MIRROR_GROWTH);
+    if (along < 0.0) return rest;
+    vec2 place = pictureOf(p + along * way);
+    return mix(rest, lightIn(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w, knownShare(place));
+}
+
+/// Share of light that the surface throws back, from the cosine of its angle in the fluid (Fresnel, not polarized).
+float thrownBack(float cosine)
+{
+    float sine2 = INDEX * INDEX * (1.0 - cosine * cosine);
+    if (sine2 >= 1.0) return 1.0;
+    float outside = sqrt(1.0 - sine2);
+    vec2 r = vec2(INDEX * cosine - outside, INDEX * outside - cosine) /
+             vec2(INDEX * cosine + outside, INDEX * outside + cosine);
+    return 0.5 * dot(r, r);
+}
+
+void main()
+{
+    vec3 ray = viewRay(gl_FragCoord.xy), from = view.cameraPosition.xyz;
+    float scene = texelFetch(depthPicture, ivec2(gl_FragCoord.xy), 0).r * frame.farDepth * length(ray);
+    vec3 toward = normalize(ray), way = directionToWorld(toward);
+    // Of several fluids the first one's look is taken.
+    FluidLook look = fetchFluidLook(texelFetch(fluidMaterials, 0).x);
+    vec3 sky = mix(frame.groundColor.rgb, frame.skyColor.rgb, 0.75);
+    vec3 inside = look.color * (0.4 * max(frame.keyDirection.y, 0.0) * frame.keyColor.rgb + 0.6 * sky);
+    float limit = min(scene, 3.5 * topHalfSide()), far = wayInside(from, way, limit);
+    vec3 light = lightIn(texelFetch(litPicture, ivec2(gl_FragCoord.xy), 0).rgb) / frame.groundColor.w;
+    if (far < limit) {
+        vec3 top = topAt(from + far * way), p = far * toward;
+        bool isTop = abs(from.y + far * way.y - top.x) < 2.0 * frame.fluidRadius;
+        vec3 n = directionToView(isTop ? normalize(vec3(-top.y, 1.0, -top.z)) : way);
+        float cosine = max(dot(n, toward), 0.0), share = isTop ? thrownBack(cosine) : 0.0;
+        vec3 down = reflect(toward, n), up = refract(toward, -n, INDEX);
+        vec3 beyond = share < 1.0 && isTop ? lightAlong(p + 0.01 * up, up, skyTowards(up)) : light;
+        vec3 back = exp(-THROWN_BACK * (look.absorption + look.scattering)) * frame.groundColor.rgb +
+                    inside * (1.0 - exp(-THROWN_BACK * look.scattering));
+        if (share > 0.02) back = lightAlong(p + 0.01 * down, down, back);
+        light = mix(beyond, back, share);
+    }
+    light = light * exp(-far * (look.absorption + look.scattering)) + inside * (1.0 - exp(-far * look.scattering));
+    vec3 color = written(light * frame.groundColor.w);
+    picture = vec4(color, lightness(color));
+}
