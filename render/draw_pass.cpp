@@ -22,7 +22,7 @@ void cull(GLenum faces)
 }  // namespace
 
 DrawPass::DrawPass(const Gpu& gpu, const BufferTable& table, const DrawShaders& shaders,
-                   std::initializer_list<std::string> reads, const Framebuffer& target, GLenum culled)
+                   const std::vector<std::string>& reads, const Framebuffer& target, GLenum culled)
     : program_(Program::graphics(gpu, "render/" + shaders.vertex + ".vert", "render/" + shaders.fragment + ".frag",
                                  shaders.defines)),
       bindings_(program_, table.only(reads, "pass " + name()), "pass " + name()),

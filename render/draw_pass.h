@@ -1,7 +1,7 @@
 #pragma once
 
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "sim/gpu/bindings.h"
 #include "sim/gpu/kernel.h"
@@ -31,7 +31,7 @@ public:
     /// @param culled GL_FRONT or GL_BACK, the faces that are not drawn.
     /// @throws DeviceError naming the pass and what it declares beyond that, or what the table lacks.
     DrawPass(const Gpu& gpu, const BufferTable& table, const DrawShaders& shaders,
-             std::initializer_list<std::string> reads, const Framebuffer& target, GLenum culled = GL_NONE);
+             const std::vector<std::string>& reads, const Framebuffer& target, GLenum culled = GL_NONE);
 
     /// Blends its output with the target, 0 (invisible) ... 1 (the default, opaque).
     void setOpacity(float opacity) { opacity_ = opacity; }

@@ -8,6 +8,7 @@
 #include "render/fluids/fluid_looks.h"
 #include "render/fluids/fluid_pass.h"
 #include "render/frame_input.h"
+#include "render/looks/finishes.h"
 #include "render/looks/picture_defines.h"
 #include "render/looks/picture_looks.h"
 #include "render/marks/joint_marks.h"
@@ -30,19 +31,6 @@
 
 namespace knuckle {
 
-namespace {
-
-void checkTransparency(const World& world, const RenderSettings& settings)
-{
-    if (settings.background != Background::Transparent) return;
-    if (settings.markJoints || drawsFluids(world, settings, DrawnAs::Surface))
-        throw InputError(
-            "render.background: \"transparent\" is not drawn with surfaces of fluids, nor with marks of joints; draw "
-            "fluids as \"particles\", or take \"sky\" or a colour");
-}
-
-}  // namespace
-
 /// Members are in the order of their dependencies: each pass finds its inputs in the table when it is made.
 struct Renderer::Impl {
     Impl(Gpu& gpu, const World& world, const RenderSettings& chosen);
@@ -54,6 +42,7 @@ struct Renderer::Impl {
     void expose(double time, uint32_t first, uint32_t count);
     /// Draws what casts shadows and what is visible, with the light that reaches it.
     void drawSurfaces(bool withSkins, bool withParticles);
+    void drawGlass();
     void drawOnce();
     /// At the depth of what the camera aims at; waits for the frame.
     float pixelsPerMetre() const;
@@ -100,10 +89,10 @@ Renderer::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen)
       unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
       framedParticles("framedParticles", std::span<const uint32_t>(framed.words)),
       planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))), shown(world),
-      targets(settings, drawsFluids(world, settings, DrawnAs::Surface)),
+      targets(settings, {drawsFluids(world, settings, DrawnAs::Surface), fluidsEmit(world, settings), hasGlass(world)}),
       view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), quantities(gpu, table, world, settings),
       fluidLooks(table, world, settings), looks(table, world, settings, extent),
-      lists(gpu, table, world, targets.hasSurfaces()), colliders(gpu, table, world, extent, targets),
+      lists(gpu, table, world, targets.hasSurfaces()), colliders(gpu, table, world, settings, extent, targets),
       skins(gpu, table, world, targets), shapes(gpu, table, world, settings, targets),
       surfaces(gpu, table, world, settings, targets), ropes(gpu, table, world, settings, targets),
       spheres(gpu, table, world, settings, targets), fluids(gpu, table, world, settings, targets),
@@ -186,6 +175,15 @@ void Renderer::Impl::drawSurfaces(bool withSkins, bool withParticles)
     picture.drawOcclusion(timer);
 }
 
+void Renderer::Impl::drawGlass()
+{
+    targets.glass.clear();
+    targets.smoothed.copy(targets.lit);
+    colliders.drawGlass(timer);
+    shapes.drawGlass(timer);
+    targets.lit.copy(targets.smoothed);
+}
+
 void Renderer::Impl::drawOnce()
 {
     const bool veiled = settings.skinOpacity < 1.0f && !skins.empty();
@@ -197,6 +195,7 @@ void Renderer::Impl::drawOnce()
     drawSurfaces(!veiled, true);
     picture.drawLighting(timer);
     if (!fluids.empty()) fluids.draw(timer, lists, shown.foamCount());
+    if (targets.hasGlass()) drawGlass();
     if (veiled) {
         drawSurfaces(true, false);
         picture.drawVeil(timer);

@@ -71,8 +71,8 @@ struct EnumWords<DrawnAs> {
 
 template <>
 struct EnumWords<Finish> {
-    static constexpr std::array WORDS{"default", "matte", "plastic", "clay",    "wax",  "rubber",
-                                      "metal",   "wood",  "checker", "brushed", "model"};
+    static constexpr std::array WORDS{"default", "matte", "plastic", "clay",    "wax",   "rubber",
+                                      "metal",   "wood",  "checker", "brushed", "glass", "model"};
 };
 template <>
 struct EnumWords<FloorLook> {

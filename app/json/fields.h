@@ -113,6 +113,7 @@ void visitFields(Material& m, Visitor&& visit)
     visit("creep", m.elasticity.creep);
     visit("maxDeformation", m.elasticity.maxDeformation);
     visit("finish", m.finish.word);
+    visit("emission", m.finish.emission);
 }
 
 template <typename Visitor>
@@ -145,6 +146,7 @@ void visitFields(Collider& c, Visitor&& visit)
     visit("color", c.color);
     visit("visible", c.visible);
     visit("finish", c.finish.word);
+    visit("emission", c.finish.emission);
 }
 
 /// All except keys, shake and whom it frames, looks at or has sharp.

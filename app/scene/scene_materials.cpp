@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "app/json/fields.h"
 
 namespace knuckle {
@@ -34,6 +36,7 @@ void addMaterials(SceneContext& context, const Json& materials)
         checkDraw(entry);
         Material material = readFields<Material>(json);
         readFinish(json, material.finish);
+        if (material.fluid) material.look.emission = std::exchange(material.finish.emission, 0.0f);
         if (material.fluid && material.finish != SurfaceFinish())
             entry.fail("/finish", "is for what is solid; a fluid looks as `color`, `absorption` and `scattering` say");
         material.name = name;

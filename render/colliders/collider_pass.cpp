@@ -4,6 +4,7 @@
 #include <array>
 
 #include "render/looks/finishes.h"
+#include "render/looks/picture_defines.h"
 #include "shared/draw_types.h"
 
 namespace knuckle {
@@ -28,8 +29,8 @@ std::array<gpu::vec4, INSTANCE_VECTORS> instanceOf(const Collider& collider, uin
 
 }  // namespace
 
-ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& world, const SceneExtent& extent,
-                           const RenderTargets& targets)
+ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings,
+                           const SceneExtent& extent, const RenderTargets& targets)
     : meshes_(gpu, table, world, targets)
 {
     upload(world, extent);
@@ -45,24 +46,39 @@ ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& worl
                           GL_FRONT);
     shapeShadow_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider_shadow", {{"LIGHT_VIEW", "1"}}},
                             {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.shadowMap, GL_FRONT);
+    if (!hasGlass()) return;
+    const Defines last = {{"FIRST_SHAPE", std::to_string(opaqueCount_)}, {"GLASS", "1"}};
+    glass_ = DrawPass(
+        gpu, table,
+        {"colliders/collider", "colliders/collider_glass",
+         joined({last, displayDefines(settings), skyDefines(settings)})},
+        {"frame", "view", "colliderPlaces", "colliderShapes", "litPicture", "depthPicture", "skyPicture", "skyBlurs"},
+        targets.glass, GL_FRONT);
+    glassShadow_ = DrawPass(gpu, table,
+                            {"colliders/collider", "colliders/collider_shadow", joined({last, {{"LIGHT_VIEW", "1"}}})},
+                            {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.shadowMap, GL_FRONT);
 }
 
 void ColliderPass::upload(const World& world, const SceneExtent& extent)
 {
     const Finishes finishes(world);
-    std::vector<gpu::vec4> planes, shapes;
+    std::vector<gpu::vec4> planes, shapes, ofGlass;
     for (uint32_t i = 0; i < world.colliders.size(); ++i) {
         const Collider& collider = world.colliders[i];
         if (!collider.visible || collider.grid != NO_INDEX || collider.floor == FloorLook::None) continue;
         const uint32_t finish = finishes.alphaOf(collider.finish);
         if (collider.shape != ColliderShape::Plane) {
-            for (const gpu::vec4& vector : instanceOf(collider, i, finish)) shapes.push_back(vector);
+            std::vector<gpu::vec4>& alike = collider.finish.word == Finish::Glass ? ofGlass : shapes;
+            for (const gpu::vec4& vector : instanceOf(collider, i, finish)) alike.push_back(vector);
             continue;
         }
         const Vector3f& c = collider.color;
         planes.push_back({c.x(), c.y(), c.z(), i == extent.groundCollider ? 1.0f : 0.0f});
         planes.push_back({static_cast<float>(i), static_cast<float>(collider.floor), static_cast<float>(finish), 0.0f});
     }
+    opaqueCount_ = static_cast<uint32_t>(shapes.size() / INSTANCE_VECTORS);
+    glassCount_ = static_cast<uint32_t>(ofGlass.size() / INSTANCE_VECTORS);
+    shapes.insert(shapes.end(), ofGlass.begin(), ofGlass.end());
     planes_ = {"colliderPlanes", std::span<const gpu::vec4>(planes)};
     shapes_ = {"colliderShapes", std::span<const gpu::vec4>(shapes)};
 }
@@ -71,18 +87,19 @@ void ColliderPass::draw(KernelTimer& timer) const
 {
     planePass_.drawScreen(timer, static_cast<uint32_t>(planes_.size() / 2));
     meshes_.draw(timer);
-    drawShapes(timer, shapePass_);
+    drawShapes(timer, shapePass_, opaqueCount_);
 }
 
 void ColliderPass::drawShadow(KernelTimer& timer) const
 {
     meshes_.drawShadow(timer);
-    drawShapes(timer, shapeShadow_);
+    drawShapes(timer, shapeShadow_, opaqueCount_);
+    drawShapes(timer, glassShadow_, glassCount_);
 }
 
-void ColliderPass::drawShapes(KernelTimer& timer, const DrawPass& pass) const
+void ColliderPass::drawShapes(KernelTimer& timer, const DrawPass& pass, uint32_t count)
 {
-    pass.draw(timer, GL_TRIANGLE_STRIP, BOX_STRIP, static_cast<uint32_t>(shapes_.size() / INSTANCE_VECTORS));
+    if (count > 0) pass.draw(timer, GL_TRIANGLE_STRIP, BOX_STRIP, count);
 }
 
 }  // namespace knuckle

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/colliders/mesh_pass.h"
+#include "render/settings.h"
 #include "render/view/camera.h"
 #include "shared/frame_types.h"
 
@@ -10,9 +11,9 @@ namespace knuckle {
 /// boxes.
 class ColliderPass {
 public:
-    /// @param table must have "frame", "view" and "colliderPlaces".
-    ColliderPass(const Gpu& gpu, BufferTable& table, const World& world, const SceneExtent& extent,
-                 const RenderTargets& targets);
+    /// @param table must have "frame", "view", "colliderPlaces", "finishes" and what PictureLooks adds.
+    ColliderPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings,
+                 const SceneExtent& extent, const RenderTargets& targets);
     ColliderPass(const ColliderPass&) = delete;
     ColliderPass& operator=(const ColliderPass&) = delete;
 
@@ -20,15 +21,19 @@ public:
     void drawShadow(KernelTimer& timer) const;
     /// Into the geometry buffers.
     void draw(KernelTimer& timer) const;
+    bool hasGlass() const { return glassCount_ > 0; }
+    /// Over the lit picture, into the target for glass.
+    void drawGlass(KernelTimer& timer) const { drawShapes(timer, glass_, glassCount_); }
 
 private:
     void upload(const World& world, const SceneExtent& extent);
-    void drawShapes(KernelTimer& timer, const DrawPass& pass) const;
+    static void drawShapes(KernelTimer& timer, const DrawPass& pass, uint32_t count);
 
     MeshPass meshes_;
     Buffer<gpu::vec4> planes_;  ///< Two each: colour, w: whether it is the ground; its collider, FLOOR_*, finish.
-    Buffer<gpu::vec4> shapes_;  ///< A ColliderInstance each.
-    DrawPass planePass_, shapePass_, shapeShadow_;
+    Buffer<gpu::vec4> shapes_;  ///< A ColliderInstance each; those of glass last.
+    uint32_t opaqueCount_ = 0, glassCount_ = 0;
+    DrawPass planePass_, shapePass_, shapeShadow_, glass_, glassShadow_;
 };
 
 }  // namespace knuckle

@@ -18,7 +18,7 @@ std::vector<gpu::vec4> looksOf(const World& world)
         // What is left of white light after 1 / absorption is the colour.
         const Vector3f dims = -m.color.cwiseMax(1e-3f).array().log() * m.look.absorption;
         looks.push_back({dims.x(), dims.y(), dims.z(), m.look.scattering});
-        looks.push_back({m.color.x(), m.color.y(), m.color.z(), 0.0f});
+        looks.push_back({m.color.x(), m.color.y(), m.color.z(), m.look.emission});
     }
     return looks;
 }
@@ -47,6 +47,15 @@ bool drawsFluids(const World& world, const RenderSettings& settings, DrawnAs as)
 {
     const auto isSo = [&](const Particle& p) { return drawnAs(world.materials[p.material], settings) == as; };
     return std::any_of(world.particles.end() - world.fluidCount, world.particles.end(), isSo);
+}
+
+bool fluidsEmit(const World& world, const RenderSettings& settings)
+{
+    const auto emits = [&](const Particle& p) {
+        const Material& material = world.materials[p.material];
+        return material.look.emission > 0.0f && drawnAs(material, settings) == DrawnAs::Surface;
+    };
+    return std::any_of(world.particles.end() - world.fluidCount, world.particles.end(), emits);
 }
 
 FluidLooks::FluidLooks(BufferTable& table, const World& world, const RenderSettings& settings)

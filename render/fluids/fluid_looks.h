@@ -12,6 +12,9 @@ namespace knuckle {
 /// drawn as particles.
 bool drawsFluids(const World& world, const RenderSettings& settings, DrawnAs as);
 
+/// Whether any fluid that is drawn as a surface sends out light.
+bool fluidsEmit(const World& world, const RenderSettings& settings);
+
 /// How fluids look, on the device: "fluidLooks" and "fluidMaterials".
 class FluidLooks {
 public:

@@ -29,30 +29,51 @@ FluidPass::FluidPass(const Gpu& gpu, BufferTable& table, const World& world, con
                       targets.fluidBends);
     focus_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", {{"COLUMNS", "1"}}},
                       {"frame", "view", "fluidBendPicture"}, targets.fluidLens);
-    tint_ = DrawPass(
-        gpu, table, {"fluids/fluid_tint", "fluids/fluid_tint", surface},
-        {"frame", "view", "positions", "sphereScales", "fluidLooks", "fluidMaterials", "depthPicture", "submersion"},
-        targets.fluidInside);
-    tint_.setAdditive();
     rows_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_smooth"}, {"frame", "view", "fluidDepthPicture"},
                      targets.fluidRows);
     columns_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_smooth", {{"COLUMNS", "1"}}},
                         {"frame", "view", "fluidWidePicture"}, targets.fluidColumns);
     clean_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_clean"}, {"frame", "view", "fluidSmoothPicture"},
                       targets.fluidRows);
+    loadShading(gpu, table, settings);
+    if (FoamStage::isNeeded(world)) loadFoam(gpu, table, settings);
+}
+
+void FluidPass::loadShading(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings)
+{
+    const bool emits = targets_.hasEmission();
+    const Defines emission = emits ? Defines{{"EMISSION", "1"}} : Defines{};
+    const Defines outside = {{"SURFACE", "1"}, {"FROM_OUTSIDE", "1"}};
+    tint_ = DrawPass(
+        gpu, table, {"fluids/fluid_tint", "fluids/fluid_tint", joined({outside, emission})},
+        {"frame", "view", "positions", "sphereScales", "fluidLooks", "fluidMaterials", "depthPicture", "submersion"},
+        targets_.fluidInside);
+    tint_.setAdditive();
+    std::vector<std::string> reads = {"frame",
+                                      "view",
+                                      "litPicture",
+                                      "depthPicture",
+                                      "fluidWidePicture",
+                                      "fluidTintPicture",
+                                      "fluidGlowPicture",
+                                      "skyPicture",
+                                      "skyBlurs"};
+    if (emits) reads.push_back("fluidEmissionPicture");
     shade_ = DrawPass(
-        gpu, table, {"picture/screen", "fluids/fluid_shade", joined({displayDefines(settings), skyDefines(settings)})},
-        {"frame", "view", "litPicture", "depthPicture", "fluidWidePicture", "fluidTintPicture", "fluidGlowPicture",
-         "skyPicture", "skyBlurs"},
-        targets.wet);
-    if (!FoamStage::isNeeded(world)) return;
+        gpu, table,
+        {"picture/screen", "fluids/fluid_shade", joined({displayDefines(settings), skyDefines(settings), emission})},
+        reads, targets_.wet);
+}
+
+void FluidPass::loadFoam(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings)
+{
     foam_ = DrawPass(gpu, table, {"fluids/foam", "fluids/foam"},
                      {"frame", "view", "foamPlaces", "fluidLooks", "fluidMaterials", "depthPicture", "shadowPicture",
                       "fluidWidePicture", "fluidGlowPicture", "submersion"},
-                     targets.foamCover);
+                     targets_.foamCover);
     foam_.setAdditive();
     foamShade_ = DrawPass(gpu, table, {"picture/screen", "fluids/foam_shade", displayDefines(settings)},
-                          {"frame", "view", "litPicture", "foamPicture"}, targets.wet);
+                          {"frame", "view", "litPicture", "foamPicture"}, targets_.wet);
 }
 
 void FluidPass::drawShadow(KernelTimer& timer, const SphereLists& lists) const

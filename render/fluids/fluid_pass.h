@@ -29,6 +29,8 @@ public:
     void draw(KernelTimer& timer, const SphereLists& lists, uint32_t foamCount);
 
 private:
+    void loadShading(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings);
+    void loadFoam(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings);
     /// Over the lit picture, with the surface's depth still there.
     void drawFoam(KernelTimer& timer, uint32_t count);
 

@@ -15,7 +15,7 @@ namespace {
 
 /// In the order of Finish. Roughnesses and the reflectances of dull things by eye; plastics and lacquers have a
 /// refractive index of about 1.5, which makes 0.04.
-constexpr std::array<FinishLook, 11> FINISHES{{
+constexpr std::array<FinishLook, 12> FINISHES{{
     {},
     {.roughness = 0.9f, .reflectance = 0.008f},
     {.roughness = 0.32f},
@@ -26,6 +26,7 @@ constexpr std::array<FinishLook, 11> FINISHES{{
     {.roughness = 0.55f, .coat = 0.35f, .pattern = PATTERN_WOOD, .patternSize = 0.9f},
     {.roughness = 0.35f, .pattern = PATTERN_CHECKER, .patternSize = 2.0f},
     {.roughness = 0.36f, .metalness = 1.0f, .pattern = PATTERN_BRUSHED, .patternSize = 0.35f},
+    {.roughness = 0.05f, .coat = 1.0f},
     {},
 }};
 
@@ -41,7 +42,14 @@ FinishLook lookOf(const SurfaceFinish& finish)
     FinishLook look = FINISHES.at(static_cast<size_t>(finish.word));
     if (finish.roughness >= 0.0f) look.roughness = finish.roughness;
     if (finish.metalness >= 0.0f) look.metalness = finish.metalness;
+    look.emission = finish.emission;
     return look;
+}
+
+bool hasGlass(const World& world)
+{
+    const auto isGlass = [](const auto& thing) { return thing.finish.word == Finish::Glass; };
+    return std::ranges::any_of(world.materials, isGlass) || std::ranges::any_of(world.colliders, isGlass);
 }
 
 Finishes::Finishes(const World& world)
@@ -90,6 +98,7 @@ std::vector<gpu::vec4> Finishes::texels(float particleDiameter, const SurfaceFin
         texels.push_back({look.roughness, look.metalness, look.coat, look.wrap});
         texels.push_back({look.diffuseRoughness, look.reflectance, static_cast<float>(look.pattern),
                           look.patternSize * particleDiameter});
+        texels.push_back({look.emission, 0.0f, 0.0f, 0.0f});
     };
     addTexels(ground);
     for (const SurfaceFinish& finish : finishes_) addTexels(finish);

@@ -20,12 +20,16 @@ struct FinishLook {
     float reflectance = 0.04f;      ///< Of what is no metal, straight on.
     uint32_t pattern = 0;           ///< PATTERN_*
     float patternSize = 1.0f;       ///< [particle diameters]
+    float emission = 0.0f;          ///< See SurfaceFinish.
 };
 
 /// The finish that a model gives a part of its skin; the default where it says nothing.
 SurfaceFinish modelFinish(const SkinMaterial& material);
 /// The look of a finish, with what differs from its word.
 FinishLook lookOf(const SurfaceFinish& finish);
+
+/// Whether light goes through anything that is drawn of a world.
+bool hasGlass(const World& world);
 
 /// The finishes of a world, as surface words name them: in the order in which materials and colliders, then skins have
 /// them.

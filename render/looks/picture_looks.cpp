@@ -2,8 +2,10 @@
 
 #include <span>
 
+#include "render/fluids/fluid_looks.h"
 #include "render/looks/finishes.h"
 #include "render/looks/picture_defines.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 
@@ -38,6 +40,15 @@ Defines lightingDefines(const World& world, const RenderSettings& settings, cons
 }
 
 }  // namespace
+
+void checkTransparency(const World& world, const RenderSettings& settings)
+{
+    if (settings.background != Background::Transparent) return;
+    if (settings.markJoints || hasGlass(world) || drawsFluids(world, settings, DrawnAs::Surface))
+        throw InputError(
+            "render.background: \"transparent\" is not drawn with surfaces of fluids, with glass, nor with marks of "
+            "joints; draw fluids as \"particles\", or take \"sky\" or a colour");
+}
 
 PictureLooks::PictureLooks(BufferTable& table, const World& world, const RenderSettings& settings,
                            const SceneExtent& extent)

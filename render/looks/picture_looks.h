@@ -9,6 +9,9 @@
 
 namespace knuckle {
 
+/// @throws InputError if a picture without a background has something that shows what is behind it, or marks.
+void checkTransparency(const World& world, const RenderSettings& settings);
+
 /// What passes read of finishes, lights and the sky.
 class PictureLooks {
 public:

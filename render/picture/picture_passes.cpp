@@ -20,17 +20,12 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
     const Defines fluids = targets.hasSurfaces() ? Defines{{"FLUIDS", "1"}} : Defines{};
     occlusion_ = DrawPass(gpu, table, {"picture/screen", "picture/occlusion"},
                           {"frame", "view", "depthPicture", "surfacePicture", "shadowPicture"}, targets.occlusion);
-    const DrawShaders lit{"picture/screen", "picture/lighting", joined({looks, covering, fluids})};
-    lighting_ = targets.hasSurfaces()
-                    ? DrawPass(gpu, table, lit,
-                               {"frame", "view", "depthPicture", "surfacePicture", "shadePicture", "fluidShadowPicture",
-                                "fluidFocusPicture", "fluidLooks", "fluidMaterials", "finishes", "lightSources",
-                                "skyPicture", "skyBlurs"},
-                               targets.lighting)
-                    : DrawPass(gpu, table, lit,
-                               {"frame", "view", "depthPicture", "surfacePicture", "shadePicture", "finishes",
-                                "lightSources", "skyPicture", "skyBlurs"},
-                               targets.lighting);
+    std::vector<std::string> lit = {"frame",    "view",         "depthPicture", "surfacePicture", "shadePicture",
+                                    "finishes", "lightSources", "skyPicture",   "skyBlurs"};
+    if (targets.hasSurfaces())
+        lit.insert(lit.end(), {"fluidShadowPicture", "fluidFocusPicture", "fluidLooks", "fluidMaterials"});
+    lighting_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting", joined({looks, covering, fluids})}, lit,
+                         targets.lighting);
     if (isMirror) {
         const Defines shown = joined({displayDefines(settings), skyDefines(settings)});
         mirror_ = DrawPass(gpu, table, {"picture/screen", "picture/floor_mirror", shown},
@@ -45,19 +40,27 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
                          targets.lighting);
         veil_.setOpacity(settings.skinOpacity);
     }
-    const DrawShaders edges{"picture/edge_tile", "picture/edge_filter", joined({covering, fluids})};
-    edgeFilter_ =
-        targets.hasSurfaces()
-            ? DrawPass(gpu, table, edges, {"frame", "litPicture", "shadePicture", "fluidDepthPicture"}, targets.edges)
-        : targets.isTransparent()
-            ? DrawPass(gpu, table, edges, {"frame", "litPicture", "shadePicture", "coverPicture"}, targets.edges)
-            : DrawPass(gpu, table, edges, {"frame", "litPicture", "shadePicture"}, targets.edges);
-    if (!isResolved_) return;
+    loadSmoothing(gpu, table, settings, joined({covering, fluids}));
+}
+
+void PicturePasses::loadSmoothing(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings,
+                                  Defines defines)
+{
+    std::vector<std::string> edges = {"frame", "litPicture", "shadePicture"}, resolved = {"frame", "smoothedPicture"};
+    if (targets_.hasSurfaces()) edges.push_back("fluidDepthPicture");
+    if (targets_.isTransparent()) {
+        edges.push_back("coverPicture");
+        resolved.push_back("smoothedCoverPicture");
+    }
     const bool isDraft = settings.quality == Quality::Draft;
-    const DrawShaders resolve{"picture/screen", isDraft ? "picture/enlarge" : "picture/resolve", covering};
-    resolve_ = targets.isTransparent() ? DrawPass(gpu, table, resolve,
-                                                  {"frame", "smoothedPicture", "smoothedCoverPicture"}, targets.resolve)
-                                       : DrawPass(gpu, table, resolve, {"frame", "smoothedPicture"}, targets.resolve);
+    if (isResolved_)
+        resolve_ = DrawPass(gpu, table, {"picture/screen", isDraft ? "picture/enlarge" : "picture/resolve", defines},
+                            resolved, targets_.resolve);
+    if (targets_.hasGlass()) {
+        edges.push_back("glassDepthPicture");
+        defines.push_back({"GLASS", "1"});
+    }
+    edgeFilter_ = DrawPass(gpu, table, {"picture/edge_tile", "picture/edge_filter", defines}, edges, targets_.edges);
 }
 
 void PicturePasses::drawOcclusion(KernelTimer& timer) const

@@ -29,6 +29,8 @@ public:
     const Framebuffer& result() const { return isResolved_ ? targets_.resolve : targets_.edges; }
 
 private:
+    void loadSmoothing(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings, Defines defines);
+
     RenderTargets& targets_;
     bool isResolved_, isMirror_, smooths_;
     DrawPass occlusion_, lighting_, mirror_, veil_, edgeFilter_, resolve_;

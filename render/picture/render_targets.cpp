@@ -7,7 +7,7 @@ uint32_t shadowSize(const RenderSettings& settings)
     return settings.quality == Quality::Draft ? 512 : 1024;
 }
 
-RenderTargets::RenderTargets(const RenderSettings& settings, bool hasSurfaces)
+RenderTargets::RenderTargets(const RenderSettings& settings, const TargetNeeds& needs)
 {
     const DrawnSize drawn = drawnSize(settings);
     const uint32_t factor = settings.antialiasing, w = drawn.width * factor, h = drawn.height * factor;
@@ -39,7 +39,11 @@ RenderTargets::RenderTargets(const RenderSettings& settings, bool hasSurfaces)
         resolve = Framebuffer("resolve", {&resolved}, nullptr);
     }
     wet = Framebuffer("wet", {&smoothed}, nullptr);
-    if (!hasSurfaces) return;
+    if (needs.glass) {
+        glassDepth = Texture("glassDepthPicture", GL_DEPTH_COMPONENT32F, w, h);
+        glass = Framebuffer("glass", {&smoothed}, &glassDepth);
+    }
+    if (!needs.fluids) return;
     fluidDepth = Texture("fluidDepthPicture", GL_DEPTH_COMPONENT32F, w, h);
     fluidWide = Texture("fluidWidePicture", GL_R32F, w, h);
     fluidSmooth = Texture("fluidSmoothPicture", GL_R32F, w, h);
@@ -52,7 +56,9 @@ RenderTargets::RenderTargets(const RenderSettings& settings, bool hasSurfaces)
     fluidFront = Framebuffer("fluid front", {}, &fluidDepth);
     fluidRows = Framebuffer("fluid rows", {&fluidWide}, nullptr);
     fluidColumns = Framebuffer("fluid columns", {&fluidSmooth}, nullptr);
-    fluidInside = Framebuffer("fluid inside", {&fluidTint, &fluidGlow}, nullptr);
+    if (needs.emission) fluidEmission = Texture("fluidEmissionPicture", GL_RGBA16F, halfW, halfH, GL_LINEAR);
+    fluidInside = needs.emission ? Framebuffer("fluid inside", {&fluidTint, &fluidGlow, &fluidEmission}, nullptr)
+                                 : Framebuffer("fluid inside", {&fluidTint, &fluidGlow}, nullptr);
     fluidShadowMap = Framebuffer("fluid shadow map", {}, &fluidShadow);
     fluidBends = Framebuffer("fluid bends", {&fluidBend}, nullptr);
     fluidLens = Framebuffer("fluid lens", {&fluidFocus}, nullptr);
@@ -66,6 +72,8 @@ void RenderTargets::addTo(BufferTable& table) const
     if (isTransparent()) table.add(cover, smoothedCover);
     if (hasSurfaces())
         table.add(fluidDepth, fluidWide, fluidSmooth, fluidTint, fluidGlow, fluidShadow, fluidBend, fluidFocus, foam);
+    if (hasEmission()) table.add(fluidEmission);
+    if (hasGlass()) table.add(glassDepth);
 }
 
 }  // namespace knuckle

@@ -8,14 +8,22 @@
 
 namespace knuckle {
 
+/// What a picture needs more than others.
+struct TargetNeeds {
+    bool fluids = false;    ///< Surfaces of fluids are drawn.
+    bool emission = false;  ///< Some of these send out light.
+    bool glass = false;
+};
+
 /// All textures that a frame is drawn into. Filters read them by their labels.
 struct RenderTargets {
-    /// @param hasSurfaces  Whether surfaces of fluids are drawn.
-    RenderTargets(const RenderSettings& settings, bool hasSurfaces);
+    RenderTargets(const RenderSettings& settings, const TargetNeeds& needs);
 
     /// So that passes find the textures.
     void addTo(BufferTable& table) const;
     bool hasSurfaces() const { return fluidDepth.id() != 0; }
+    bool hasGlass() const { return glassDepth.id() != 0; }
+    bool hasEmission() const { return fluidEmission.id() != 0; }
     bool isTransparent() const { return cover.id() != 0; }
 
     Texture surface, depth;          ///< Normals and colours, and depth, of the visible surfaces.
@@ -27,11 +35,13 @@ struct RenderTargets {
     Texture fluidDepth;              ///< Depth of the nearest fluid.
     Texture fluidWide, fluidSmooth;  ///< View depth of its surface, smoothed along rows, and along columns too [m].
     Texture fluidTint, fluidGlow;    ///< Half resolution: fluid_tint.frag.
+    Texture fluidEmission;           ///< The same, if any fluid sends out light.
     Texture fluidShadow;             ///< Depth of fluid as seen by the key light.
     Texture fluidBend, fluidFocus;   ///< How its surface gathers that light, along rows, and in all: fluid_focus.frag.
     Texture foam;                    ///< Light times coverage, coverage (foam.frag).
     Framebuffer fluidFront, fluidRows, fluidColumns, fluidInside, fluidShadowMap, fluidBends, fluidLens, foamCover, wet;
-    Framebuffer geometry, shadowMap, occlusion, lighting, edges, resolve;
+    Texture glassDepth;  ///< Of the nearest glass, while that is drawn over the picture.
+    Framebuffer geometry, shadowMap, glass, occlusion, lighting, edges, resolve;
 };
 
 /// Texels per side of the shadow map.

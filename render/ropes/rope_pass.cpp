@@ -58,8 +58,7 @@ RopePass::RopePass(const Gpu& gpu, BufferTable& table, const World& world, const
     place_ = Kernel(gpu, table, "render/ropes/tube_frames.comp", defines);
     Defines looks;
     if (settings.colorBy == ColorBy::Speed) looks = colorDefines(world, settings);
-    const std::initializer_list<std::string> reads = {"frame",     "view",      "tubeFrames",
-                                                      "tubeLooks", "tubeNodes", "velocities"};
+    const std::vector<std::string> reads = {"frame", "view", "tubeFrames", "tubeLooks", "tubeNodes", "velocities"};
     tubes_ = DrawPass(gpu, table, {"ropes/tube", "ropes/tube", looks}, reads, targets.geometry, GL_BACK);
     looks.push_back({"LIGHT_VIEW", "1"});
     // Only what is turned away from the light casts shadows, so that lit faces do not shade themselves.

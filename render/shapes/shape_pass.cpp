@@ -7,6 +7,7 @@
 
 #include "render/color_word.h"
 #include "render/looks/finishes.h"
+#include "render/looks/picture_defines.h"
 #include "render/quantities/color_scale.h"
 #include "render/spheres/palette.h"
 #include "render/unseen.h"
@@ -46,19 +47,20 @@ bool isSeen(const World& world, const BodyShape& shape, const std::vector<uint32
     return std::ranges::any_of(linksOf(world, shape), [&](const Link& link) { return !hasBit(unseen, link.particle); });
 }
 
-std::vector<gpu::vec4> texelsOf(const World& world, const RenderSettings& settings)
+/// Of the shapes that are seen, those of glass or the others.
+std::vector<gpu::vec4> texelsOf(const World& world, const RenderSettings& settings, bool ofGlass)
 {
     const std::vector<uint32_t> unseen = unseenBits(world);
     const Finishes finishes(world);
     std::vector<gpu::vec4> texels;
     for (const BodyShape& shape : world.bodyShapes) {
-        if (!isSeen(world, shape, unseen)) continue;
+        const SurfaceFinish& finish = world.materials[world.bodies[shape.body].material].finish;
+        if (!isSeen(world, shape, unseen) || (finish.word == Finish::Glass) != ofGlass) continue;
         const Vector3f &half = shape.halfSides, arm = shape.middle - world.bodies[shape.body].restCentre;
         const auto [first, second] = middleParticles(world, shape);
         const uint32_t color = bodyColor(world, shape.body, settings) & COLOR_BITS;
         texels.push_back({half.x(), half.y(), half.z(), shape.radius});
         texels.push_back({arm.x(), arm.y(), arm.z(), static_cast<float>(shape.body)});
-        const SurfaceFinish& finish = world.materials[world.bodies[shape.body].material].finish;
         texels.push_back({static_cast<float>(color), static_cast<float>(first), static_cast<float>(second),
                           static_cast<float>(finishes.alphaOf(finish))});
     }
@@ -69,26 +71,41 @@ std::vector<gpu::vec4> texelsOf(const World& world, const RenderSettings& settin
 
 ShapePass::ShapePass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings,
                      const RenderTargets& targets)
-    : bodyShapes_("bodyShapes", std::span<const gpu::vec4>(texelsOf(world, settings)))
 {
+    std::vector<gpu::vec4> texels = texelsOf(world, settings, false);
+    const std::vector<gpu::vec4> ofGlass = texelsOf(world, settings, true);
+    opaqueCount_ = static_cast<uint32_t>(texels.size() / SHAPE_TEXELS);
+    glassCount_ = static_cast<uint32_t>(ofGlass.size() / SHAPE_TEXELS);
+    texels.insert(texels.end(), ofGlass.begin(), ofGlass.end());
+    bodyShapes_ = {"bodyShapes", std::span<const gpu::vec4>(texels)};
     table.add(Lifetime::Constant, bodyShapes_);
-    if (bodyShapes_.size() == 0) return;
+    if (texels.empty()) return;
     Defines defines;
     if (settings.colorBy == ColorBy::Speed) defines = colorDefines(world, settings);
-    const std::initializer_list<std::string> reads = {"frame",       "view",          "velocities", "bodyShapes",
-                                                      "bodyCentres", "bodyRotations", "finishes"};
+    const std::vector<std::string> reads = {"frame",       "view",          "velocities", "bodyShapes",
+                                            "bodyCentres", "bodyRotations", "finishes"};
+    const Defines lightView = joined({defines, {{"LIGHT_VIEW", "1"}}});
     // Draws the far sides of the boxes: they are visible even when the eye is inside.
-    Defines patterned = Finishes(world).patternDefines();
-    patterned.insert(patterned.end(), defines.begin(), defines.end());
-    shapes_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape", patterned}, reads, targets.geometry, GL_FRONT);
-    defines.push_back({"LIGHT_VIEW", "1"});
-    shadow_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape_shadow", defines}, reads, targets.shadowMap,
+    shapes_ = DrawPass(gpu, table,
+                       {"shapes/shape", "shapes/shape", joined({Finishes(world).patternDefines(), defines})}, reads,
+                       targets.geometry, GL_FRONT);
+    shadow_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape_shadow", lightView}, reads, targets.shadowMap,
                        GL_FRONT);
+    if (!hasGlass()) return;
+    const Defines last = {{"FIRST_SHAPE", std::to_string(opaqueCount_)}, {"GLASS", "1"}};
+    glass_ = DrawPass(
+        gpu, table,
+        {"shapes/shape", "shapes/shape_glass", joined({defines, last, displayDefines(settings), skyDefines(settings)})},
+        {"frame", "view", "velocities", "bodyShapes", "bodyCentres", "bodyRotations", "litPicture", "depthPicture",
+         "skyPicture", "skyBlurs"},
+        targets.glass, GL_FRONT);
+    glassShadow_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape_shadow", joined({lightView, last})}, reads,
+                            targets.shadowMap, GL_FRONT);
 }
 
-void ShapePass::draw(KernelTimer& timer, const DrawPass& pass) const
+void ShapePass::draw(KernelTimer& timer, const DrawPass& pass, uint32_t count)
 {
-    pass.draw(timer, GL_TRIANGLE_STRIP, BOX_STRIP, static_cast<uint32_t>(bodyShapes_.size() / SHAPE_TEXELS));
+    if (count > 0) pass.draw(timer, GL_TRIANGLE_STRIP, BOX_STRIP, count);
 }
 
 }  // namespace knuckle

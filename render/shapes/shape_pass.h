@@ -18,15 +18,23 @@ public:
     ShapePass& operator=(const ShapePass&) = delete;
 
     /// Into the shadow map.
-    void drawShadow(KernelTimer& timer) const { draw(timer, shadow_); }
+    void drawShadow(KernelTimer& timer) const
+    {
+        draw(timer, shadow_, opaqueCount_);
+        draw(timer, glassShadow_, glassCount_);
+    }
     /// Into the geometry buffers.
-    void draw(KernelTimer& timer) const { draw(timer, shapes_); }
+    void draw(KernelTimer& timer) const { draw(timer, shapes_, opaqueCount_); }
+    bool hasGlass() const { return glassCount_ > 0; }
+    /// Over the lit picture, into the target for glass.
+    void drawGlass(KernelTimer& timer) const { draw(timer, glass_, glassCount_); }
 
 private:
-    void draw(KernelTimer& timer, const DrawPass& pass) const;
+    static void draw(KernelTimer& timer, const DrawPass& pass, uint32_t count);
 
-    Buffer<gpu::vec4> bodyShapes_;  ///< SHAPE_TEXELS each, of those that are not unseen.
-    DrawPass shapes_, shadow_;
+    Buffer<gpu::vec4> bodyShapes_;  ///< SHAPE_TEXELS each, of those that are not unseen; those of glass last.
+    uint32_t opaqueCount_ = 0, glassCount_ = 0;
+    DrawPass shapes_, shadow_, glass_, glassShadow_;
 };
 
 }  // namespace knuckle

@@ -38,8 +38,8 @@ SkinPass::SkinPass(const Gpu& gpu, BufferTable& table, const World& world, const
     buffers_.addTo(table);
     lod_ = Kernel(gpu, table, "render/skins/skin_lod.comp");
     pose_ = Kernel(gpu, table, "render/skins/skin_pose.comp");
-    const std::initializer_list<std::string> reads = {"frame",           "view",          "skinPlaces", "skinGroups",
-                                                      "skinVertexLooks", "skinMaterials", "skinLevels", "skinTexels"};
+    const std::vector<std::string> reads = {"frame",           "view",          "skinPlaces", "skinGroups",
+                                            "skinVertexLooks", "skinMaterials", "skinLevels", "skinTexels"};
     Defines looks = Finishes(world).lightingDefines();
     if (std::ranges::any_of(world.skins, needsMaterials)) looks.push_back({"MATERIALS", "1"});
     if (std::ranges::any_of(world.skins, isTwoSided)) looks.push_back({"TWO_SIDED", "1"});

@@ -41,10 +41,9 @@ SurfacePass::SurfacePass(const Gpu& gpu, BufferTable& table, const World& world,
     if (softVertexCount_ > 0) softPlacesKernel_ = load("soft_places");
     normalsKernel_ = load("surface_normals");
     Defines defines = colorDefines(world, settings);
-    const std::initializer_list<std::string> reads = {
-        "frame",          "view",       "surfacePlaces",    "surfaceNormals",
-        "surfaceLooks",   "velocities", "surfaceParticles", "hemEdges",
-        "shownQuantities"};
+    const std::vector<std::string> reads = {"frame",          "view",       "surfacePlaces",    "surfaceNormals",
+                                            "surfaceLooks",   "velocities", "surfaceParticles", "hemEdges",
+                                            "shownQuantities"};
     surfaces_ = DrawPass(gpu, table, {"surfaces/surface", "surfaces/surface", defines}, reads, targets.geometry);
     hems_ = DrawPass(gpu, table, {"surfaces/hem", "surfaces/surface", defines}, reads, targets.geometry);
     defines.push_back({"LIGHT_VIEW", "1"});

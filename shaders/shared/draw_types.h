@@ -19,9 +19,9 @@ namespace knuckle::gpu {
 // In place of a body: the place is on the picture, from its upper left corner, in heights of the picture.
 #define MARK_ON_PICTURE -1.0f
 
-// Per finish: roughness, metalness, coat, wrap; diffuse roughness, reflectance, pattern, its size [m]. The first is the
-// ground's.
-#define FINISH_TEXELS 2
+// Per finish: roughness, metalness, coat, wrap; diffuse roughness, reflectance, pattern, its size [m]; emission. The
+// first is the ground's.
+#define FINISH_TEXELS 3
 // In place of the alpha of a surface's colour: no finish. 0 is the ground.
 #define FINISH_NONE 255u
 // What a plane shows, in the order of FloorLook.

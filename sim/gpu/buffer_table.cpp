@@ -51,7 +51,7 @@ const Texture& BufferTable::findTexture(const std::string& name, const std::stri
     return *found->second;
 }
 
-BufferTable BufferTable::only(std::initializer_list<std::string> names, const std::string& user) const
+BufferTable BufferTable::only(const std::vector<std::string>& names, const std::string& user) const
 {
     BufferTable part;
     for (const std::string& name : names) {

@@ -93,7 +93,7 @@ public:
     const Entry& find(const std::string& name, const std::string& user) const;
     const Texture& findTexture(const std::string& name, const std::string& user) const;
     /// A table of only the named buffers and textures, for a pass that uses nothing else.
-    BufferTable only(std::initializer_list<std::string> names, const std::string& user) const;
+    BufferTable only(const std::vector<std::string>& names, const std::string& user) const;
     /// Stalls until the GPU is done.
     BufferState saveState() const;
     /// Writes nothing if it throws. @throws std::logic_error if the state is not of the same buffers, or of other

@@ -71,6 +71,8 @@ void validateMaterials(const World& world)
         require(within(m.look.absorption, 0.0f, 1e4f) && within(m.look.scattering, 0.0f, 1e4f),
                 "material \"{}\": absorption {} and scattering {} 1/m must be 0 to 10000", m.name, m.look.absorption,
                 m.look.scattering);
+        require(within(m.look.emission, 0.0f, 1e3f) && within(m.finish.emission, 0.0f, 1e3f),
+                "material \"{}\": emission must be 0 to 1000", m.name);
         require(within(m.look.foam, 0.0f, 100.0f), "material \"{}\": foam {} must be 0 to 100", m.name, m.look.foam);
         require(within(m.restitution, 0.0f, 1.0f), "material \"{}\": restitution {} must be 0 to 1", m.name,
                 m.restitution);

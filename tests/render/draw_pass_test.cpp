@@ -15,7 +15,7 @@ struct LightingInputs {
     Texture shade{"shadePicture", GL_R32UI, 8, 8}, lit{"litPicture", GL_RGBA8, 16, 16};
     Framebuffer target{"lighting", {&lit}, nullptr};
 
-    std::string problemOf(const BufferTable& table, std::initializer_list<std::string> reads) const
+    std::string problemOf(const BufferTable& table, const std::vector<std::string>& reads) const
     {
         try {
             DrawPass(sharedGpu(), table, {"picture/screen", "picture/lighting"}, reads, target);

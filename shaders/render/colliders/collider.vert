@@ -4,6 +4,10 @@
 #include "render/colliders/collider_place.glsl"
 #include "render/colliders/ray_shapes.glsl"
 
+#ifndef FIRST_SHAPE
+#define FIRST_SHAPE 0
+#endif
+
 uniform samplerBuffer colliderShapes;       // ColliderInstance
 
 flat out vec4 shapePosition;                // w: radius
@@ -18,7 +22,7 @@ out vec3 boxPoint;                          // on the box, world space
 
 void main()
 {
-    int first = 3 * gl_InstanceID;
+    int first = 3 * (FIRST_SHAPE + gl_InstanceID);
     shapeHalfExtents = texelFetch(colliderShapes, first);
     shapeColor = texelFetch(colliderShapes, first + 1);
     vec4 collider = texelFetch(colliderShapes, first + 2);

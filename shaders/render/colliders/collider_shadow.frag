@@ -10,6 +10,10 @@ in vec3 boxPoint;
 
 void main()
 {
+#ifdef GLASS
+    // A quarter of the light is kept, which smooths out in the shadow.
+    if (((int(gl_FragCoord.x) | int(gl_FragCoord.y)) & 1) != 0) discard;
+#endif
     // Starts far outside: the obstacle may extend beyond the map's depth.
     float reach = 2.0 * length(shapeHalfExtents.xyz);
     vec3 start = boxPoint + reach * frame.keyDirection.xyz;

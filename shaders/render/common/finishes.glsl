@@ -12,10 +12,12 @@ struct Finish {
     float reflectance;      // of what is no metal, straight on
     uint pattern;           // PATTERN_*
     float patternSize;      // [m]
+    float emission;
 };
 
 Finish fetchFinish(uint alpha)
 {
-    vec4 a = texelFetch(finishes, int(alpha) * FINISH_TEXELS), b = texelFetch(finishes, int(alpha) * FINISH_TEXELS + 1);
-    return Finish(a.x, a.y, a.z, a.w, b.x, b.y, uint(b.z), b.w);
+    int first = int(alpha) * FINISH_TEXELS;
+    vec4 a = texelFetch(finishes, first), b = texelFetch(finishes, first + 1);
+    return Finish(a.x, a.y, a.z, a.w, b.x, b.y, uint(b.z), b.w, texelFetch(finishes, first + 2).x);
 }

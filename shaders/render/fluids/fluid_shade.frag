@@ -3,12 +3,15 @@
 #include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/sky.glsl"
-#include "render/common/tone_map.glsl"
+#include "render/common/tone/tone_map.glsl"
 #include "render/fluids/seen_through.glsl"
 #include "render/fluids/surface_slope.glsl"
 
 uniform sampler2D fluidTintPicture;
 uniform sampler2D fluidGlowPicture;
+#ifdef EMISSION
+uniform sampler2D fluidEmissionPicture;
+#endif
 layout(location = 0) out vec4 picture;
 
 const float REFRACTION = 1.0 / 1.333;
@@ -16,19 +19,6 @@ const float REFLECTION = 0.02;   // of light that falls straight on it
 const float SUN_SHARPNESS = 300.0;
 // Below this share only the sky is mirrored.
 const float MIRRORS_THINGS = 0.025;
-const int MIRROR_STEPS = 24;
-const float MIRROR_GROWTH = 1.2;
-
-/// What comes along a mirrored ray. @param share  Of it that is seen.
-vec3 mirroredLight(vec3 p, vec3 n, vec3 way, float share)
-{
-    vec3 light = skyTowards(way);
-    if (share < MIRRORS_THINGS) return light;
-    float along = met(p + 0.002 * -p.z * n, way, MIRROR_STEPS, MIRROR_GROWTH);
-    if (along < 0.0) return light;
-    vec2 place = pictureOf(p + along * way);
-    return mix(light, lightIn(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w, knownShare(place));
-}
 
 void main()
 {
@@ -53,13 +43,19 @@ void main()
     vec3 light = 0.4 * key * frame.keyColor.rgb +
                  0.6 * mix(frame.groundColor.rgb, frame.skyColor.rgb, 0.5 + 0.5 * dot(n, view.upInView.xyz));
     vec3 back = glow.rgb / max(tint.a, 1e-6) * light * (1.0 - exp(-tint.a)), mirror = reflect(-toEye, n);
+#ifdef EMISSION
+    vec4 sent = textureLod(fluidEmissionPicture, at, 0.0);
+    back += sent.rgb / max(sent.a, 1e-6) * (1.0 - exp(-sent.a));
+#endif
     float grazing = 1.0 - max(dot(n, toEye), 0.0);
     float mirrored = REFLECTION + (1.0 - REFLECTION) * pow(grazing, 5.0) * max(1.0 - crease, 0.0);
     // Where the surface turns within a pixel, the sun's image is spread over it (Kaplanyan et al. 2016), and dimmed
     // more than that: edges at walls would have a bright rim.
     float sharpness = 1.0 / (1.0 / SUN_SHARPNESS + turned), dimmed = sharpness / SUN_SHARPNESS;
     float glint = 0.8 * dimmed * dimmed * pow(max(dot(mirror, view.keyInView.xyz), 0.0), sharpness);
-    vec3 radiance = mix(through + back, mirroredLight(p, n, mirror, mirrored), mirrored) + glint * frame.keyColor.rgb;
+    vec3 around = skyTowards(mirror);
+    if (mirrored > MIRRORS_THINGS) around = lightAlong(p + 0.002 * depth * n, mirror, around);
+    vec3 radiance = mix(through + back, around, mirrored) + glint * frame.keyColor.rgb;
 #ifdef FOG
     radiance = mix(frame.fog.rgb, radiance, clear);
 #endif

@@ -7,6 +7,9 @@
 uniform samplerBuffer positions;
 uniform sampler2D depthPicture;
 
+#ifdef EMISSION
+flat out vec4 emission;
+#endif
 flat out vec4 tint, glow;   // of the light through its middle, see fluid_tint.frag
 
 /// Particles are spread wider than they are drawn, so that they do not show.
@@ -34,6 +37,10 @@ void main()
     float chord = spacing * spacing * spacing * 3.0 / (3.14159 * radius * radius);
     tint = vec4(look.absorption, look.scattering) * chord;
     glow = vec4(look.color * look.scattering, 1.0) * chord;
+#ifdef EMISSION
+    float dimming = look.scattering + dot(look.absorption, vec3(1.0 / 3.0));
+    emission = vec4(look.color * look.emission, 1.0) * (dimming * chord);
+#endif
     bool seen = !isLeftOut(i) && isThere(position) && -centre.z > radius && isInFront(bounds, -centre.z);
     gl_PointSize = max(max(size.x, size.y), 1.0);
     gl_Position = seen ? vec4(0.5 * (bounds.xy + bounds.zw), 0.0, 1.0) : NOWHERE;

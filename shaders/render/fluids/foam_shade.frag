@@ -1,6 +1,6 @@
 // Foam, spray and bubbles over the lit picture: whiter the more of them there are.
 #include "render/common/frame_blocks.glsl"
-#include "render/common/tone_map.glsl"
+#include "render/common/tone/tone_map.glsl"
 
 uniform sampler2D litPicture;
 uniform sampler2D foamPicture;

@@ -3,7 +3,7 @@
 #include "render/common/fluid_looks.glsl"
 #include "render/common/mirrored.glsl"
 #include "render/common/sky.glsl"
-#include "render/common/tone_map.glsl"
+#include "render/common/tone/tone_map.glsl"
 #include "render/fluids/top_map.glsl"
 
 uniform sampler2D topPicture;
@@ -12,8 +12,6 @@ layout(location = 0) out vec4 picture;
 
 const float INDEX = 1.333;
 const int STEPS = 48, HALVINGS_UP = 6;
-const int MIRROR_STEPS = 24;
-const float MIRROR_GROWTH = 1.2;
 // How far light is followed that the surface throws back, where nothing is seen to be met [m].
 const float THROWN_BACK = 3.0;
 
@@ -43,15 +41,6 @@ float wayInside(vec3 from, vec3 way, float limit)
         else before = middle;
     }
     return far;
-}
-
-/// What comes along a ray, all in view space: from what it meets, or else `rest`.
-vec3 lightAlong(vec3 p, vec3 way, vec3 rest)
-{
-    float along = met(p, way, MIRROR_STEPS, MIRROR_GROWTH);
-    if (along < 0.0) return rest;
-    vec2 place = pictureOf(p + along * way);
-    return mix(rest, lightIn(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w, knownShare(place));
 }
 
 /// Share of light that the surface throws back, from the cosine of its angle in the fluid (Fresnel, not polarized).
@@ -89,6 +78,8 @@ void main()
         light = mix(beyond, back, share);
     }
     light = light * exp(-far * (look.absorption + look.scattering)) + inside * (1.0 - exp(-far * look.scattering));
+    float dimming = look.scattering + dot(look.absorption, vec3(1.0 / 3.0));
+    light += look.emission * look.color * (1.0 - exp(-far * dimming));
     vec3 color = written(light * frame.groundColor.w);
     picture = vec4(color, lightness(color));
 }

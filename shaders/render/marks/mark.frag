@@ -1,5 +1,5 @@
 // A mark in its colour, as displayed: without lighting.
-#include "render/common/tone_map.glsl"
+#include "render/common/tone/tone_map.glsl"
 
 flat in vec3 color;
 layout(location = 0) out vec4 picture;

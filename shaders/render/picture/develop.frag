@@ -1,6 +1,6 @@
 // The picture of the light of a frame: what the lens does to it, then the curve, then noise that hides steps.
 #include "render/common/frame.glsl"
-#include "render/common/tone_map.glsl"
+#include "render/common/tone/tone_map.glsl"
 
 uniform sampler2D exposedPicture;
 #ifdef BLOOM

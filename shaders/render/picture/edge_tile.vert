@@ -9,6 +9,10 @@ uniform usampler2D shadePicture;
 uniform sampler2D fluidDepthPicture;
 #endif
 
+#ifdef GLASS
+uniform sampler2D glassDepthPicture;
+#endif
+
 const int HALF_TILE = EDGE_TILE / 2;
 
 void main()
@@ -25,6 +29,9 @@ void main()
             things |= shadeThing(textureGather(shadePicture, place));
 #ifdef FLUIDS
             things |= uvec4(lessThan(textureGather(fluidDepthPicture, place), vec4(1.0)));
+#endif
+#ifdef GLASS
+            things |= uvec4(lessThan(textureGather(glassDepthPicture, place), vec4(1.0)));
 #endif
         }
     bool empty = things == uvec4(0u);

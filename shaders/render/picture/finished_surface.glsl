@@ -27,5 +27,5 @@ vec3 finishedSurface(Finish finish, vec3 albedo, Facing facing, vec3 p, vec2 rea
     vec3 around = albedo * (1.0 - finish.metalness) * (1.0 - mirrored) * ambient * AMBIENT_SHARE +
                   mirrored * skyMirrored(mirror, finish.roughness) * reach.x;
     float coat = finish.coat * mirroredShare(vec3(COAT_REFLECTANCE), COAT_ROUGHNESS, facing.upright).x;
-    return light + mix(around, skyMirrored(mirror, COAT_ROUGHNESS) * reach.x, coat);
+    return finish.emission * albedo + light + mix(around, skyMirrored(mirror, COAT_ROUGHNESS) * reach.x, coat);
 }

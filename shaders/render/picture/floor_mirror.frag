@@ -4,7 +4,7 @@
 #include "render/common/mirrored.glsl"
 #include "render/common/sky.glsl"
 #include "render/common/surface.glsl"
-#include "render/common/tone_map.glsl"
+#include "render/common/tone/tone_map.glsl"
 
 uniform usampler2D surfacePicture;
 layout(location = 0) out vec4 picture;

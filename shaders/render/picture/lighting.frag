@@ -3,7 +3,7 @@
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 #include "render/common/sky.glsl"
-#include "render/common/tone_map.glsl"
+#include "render/common/tone/tone_map.glsl"
 #include "render/picture/backdrop.glsl"
 #include "render/picture/lit_surface.glsl"
 

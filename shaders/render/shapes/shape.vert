@@ -4,6 +4,10 @@
 #include "render/common/frame_blocks.glsl"
 #include "render/shapes/shape_color.glsl"
 
+#ifndef FIRST_SHAPE
+#define FIRST_SHAPE 0
+#endif
+
 uniform samplerBuffer bodyShapes;           // SHAPE_TEXELS each
 uniform samplerBuffer bodyCentres;
 uniform samplerBuffer bodyRotations;
@@ -22,7 +26,7 @@ flat out uint patternSeed;
 
 void main()
 {
-    int first = SHAPE_TEXELS * gl_InstanceID;
+    int first = SHAPE_TEXELS * (FIRST_SHAPE + gl_InstanceID);
     rounded = texelFetch(bodyShapes, first);
     vec4 place = texelFetch(bodyShapes, first + 1);
     vec4 rotation = texelFetch(bodyRotations, int(place.w));

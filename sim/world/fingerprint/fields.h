@@ -32,7 +32,7 @@ inline auto fieldsOf(const Elasticity& e)
 /// The points of foam are part of a state.
 inline auto fieldsOf(const FluidLook& l)
 {
-    const auto& [drawn, absorption, scattering, foam] = l;
+    const auto& [drawn, absorption, scattering, foam, emission] = l;
     return counting(foam);
 }
 

@@ -16,6 +16,7 @@ enum class Finish : uint32_t {
     Wood,
     Checker,
     Brushed,
+    Glass,  ///< Light goes through shapes and colliders.
     Model,  ///< Of skins: as the model says. Of others: default.
 };
 
@@ -24,6 +25,7 @@ struct SurfaceFinish {
     Finish word = Finish::Default;
     float roughness = -1.0f;  ///< 0 ... 1; below 0: that of the word.
     float metalness = -1.0f;  ///< 0 ... 1; below 0: that of the word.
+    float emission = 0.0f;  ///< Light that it sends out in its colour; 1 is about what white in full light sends back.
 
     bool operator==(const SurfaceFinish&) const = default;
 };

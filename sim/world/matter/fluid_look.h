@@ -14,6 +14,7 @@ struct FluidLook {
     float absorption = 1.0f;  ///< [1/m], >= 0.
     float scattering = 0.3f;  ///< Light that comes back out of it, as from milk [1/m], >= 0.
     float foam = 1.0f;        ///< How readily it makes foam, spray and bubbles where it breaks, >= 0; thin ones only.
+    float emission = 0.0f;    ///< Light that it sends out where it is thick, in its colour, as SurfaceFinish has it.
 };
 
 }  // namespace knuckle

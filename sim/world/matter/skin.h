@@ -42,6 +42,9 @@ struct SkinMaterial {
     float alphaCutoff = 0.0f;                    ///< Pixels with less alpha are not drawn, 0 ... 1.
     std::array<TextureWrap, 2> wrap{};           ///< Along u and v.
     float roughness = -1.0f, metalness = -1.0f;  ///< 0 ... 1; below 0: the model says nothing of it.
+    uint32_t normals = NO_INDEX;      ///< Index of the picture of its normals, green upwards (glTF), or none.
+    uint32_t roughnesses = NO_INDEX;  ///< The same of roughness (green) and metalness (blue), times the factors.
+    float normalScale = 1.0f;         ///< Of their slopes, 0 ... 10.
 };
 
 /// Skinned to at most four bodies of an object.

@@ -36,6 +36,18 @@ TEST(SceneLooks, ReadsFinishesAndWhatDiffersFromThem)
     EXPECT_EQ(world.colliders[1].finish, (SurfaceFinish{Finish::Metal, -1.0f, 0.5f}));
 }
 
+TEST(SceneLooks, ReadsWhatSendsOutLight)
+{
+    const TempFolder folder;
+    const World world = sceneWith(folder, R"("materials": { "default": { "finish": "glass", "emission": 2 },
+        "lava": { "fluid": true, "emission": 3 } }, "colliders": [{ "type": "sphere", "emission": 4 }])")
+                            .world;
+    EXPECT_EQ(world.materials[0].finish, (SurfaceFinish{Finish::Glass, -1.0f, -1.0f, 2.0f}));
+    EXPECT_EQ(world.materials[1].look.emission, 3.0f);
+    EXPECT_EQ(world.materials[1].finish, SurfaceFinish());
+    EXPECT_EQ(world.colliders[0].finish.emission, 4.0f);
+}
+
 TEST(SceneLooks, ReadsLights)
 {
     const TempFolder folder;

@@ -1,5 +1,5 @@
 // Colours as they are, only highlights compressed (Khronos, "PBR Neutral Tone Mapper", 2024).
-#include "render/common/srgb_curve.glsl"
+#include "render/common/tone/srgb_curve.glsl"
 
 const float COMPRESSED_FROM = 0.8 - 0.04;
 const float ABOVE = 1.0 - COMPRESSED_FROM;

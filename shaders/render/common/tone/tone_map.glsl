@@ -1,10 +1,10 @@
 // Scene-linear light to display values, by one of several curves, and back.
-#include "render/common/srgb_curve.glsl"
+#include "render/common/tone/srgb_curve.glsl"
 
 #if defined(TONE_NEUTRAL)
-#include "render/common/tone_neutral.glsl"
+#include "render/common/tone/tone_neutral.glsl"
 #elif defined(TONE_AGX)
-#include "render/common/tone_agx.glsl"
+#include "render/common/tone/tone_agx.glsl"
 #elif defined(TONE_LINEAR)
 vec3 displayed(vec3 light) { return toSrgb(clamp(light, 0.0, 1.0)); }
 vec3 lightOf(vec3 shown) { return fromSrgb(shown); }
