@@ -57,12 +57,26 @@ Finishes::Finishes(const World& world)
     for (const Material& material : world.materials) add(material.finish);
     for (const Collider& collider : world.colliders) add(collider.finish);
     const auto isModels = [](const Material& material) { return material.finish.word == Finish::Model; };
-    if (std::ranges::any_of(world.materials, isModels))
-        for (const Skin& skin : world.skins)
-            for (const SkinMaterial& material : skin.mesh->materials) add(modelFinish(material));
+    if (std::ranges::any_of(world.materials, isModels)) addModels(world);
     if (finishes_.size() >= FINISH_NONE)
         throw InputError(
             fmt::format("the scene has {} finishes; at most {} can be told apart", finishes_.size(), FINISH_NONE - 1));
+}
+
+void Finishes::addModels(const World& world)
+{
+    bool haveMaps = false;
+    for (const Skin& skin : world.skins) {
+        for (const SkinMaterial& material : skin.mesh->materials) {
+            add(modelFinish(material));
+            haveMaps = haveMaps || material.roughnesses != NO_INDEX;
+        }
+    }
+    if (!haveMaps) return;
+    mapped_ = static_cast<uint32_t>(finishes_.size()) + 1;
+    for (int step = 0; step < ROUGHNESS_STEPS; ++step)
+        for (const float metalness : {0.0f, 1.0f})
+            finishes_.push_back({Finish::Default, static_cast<float>(step) / (ROUGHNESS_STEPS - 1), metalness});
 }
 
 void Finishes::add(const SurfaceFinish& finish)

@@ -58,7 +58,9 @@ private:
     /// Above the index of the material; 0 in worlds without finishes, whose shaders do not look for it.
     uint32_t finishOf(const SkinMaterial& material) const
     {
-        return finishes.empty() ? 0 : finishes.alphaOf(modelFinish(material)) << 16;
+        const bool isMapped = material.roughnesses != NO_INDEX && finishes.mappedAlpha() != 0;
+        return finishes.empty() ? 0
+                                : (isMapped ? finishes.mappedAlpha() : finishes.alphaOf(modelFinish(material))) << 16;
     }
     void addWearer(const Object& object, const SkinMesh& mesh, gpu::SkinWearer wearer, uint32_t firstVertex,
                    uint32_t finish);

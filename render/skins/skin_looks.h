@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "shared/gpu_types.h"
@@ -17,8 +19,12 @@ struct SkinLooks {
     uint32_t add(const SkinMesh& mesh);
 
 private:
-    /// Adds the picture and its mipmap.
-    void addPicture(TexturePicture picture);
+    /// Of a picture's mipmap, the first of `levels` and how many.
+    using Range = std::pair<float, float>;
+    /// Adds the picture, if there is one, and its mipmap. @param isColor  Whether its numbers are colours.
+    Range addPicture(const SkinMesh& mesh, uint32_t index, bool isColor);
+
+    std::map<std::pair<uint32_t, bool>, Range> added_;  ///< Of the mesh.
 };
 
 }  // namespace knuckle

@@ -20,6 +20,12 @@ bool isTwoSided(const Skin& skin)
     return std::ranges::any_of(skin.mesh->materials, &SkinMaterial::twoSided);
 }
 
+bool hasNormals(const Skin& skin)
+{
+    const auto isMapped = [](const SkinMaterial& material) { return material.normals != NO_INDEX; };
+    return std::ranges::any_of(skin.mesh->materials, isMapped);
+}
+
 /// Whether its pixels need materials: for pictures, for cut-outs, or if some of it is visible from one side only.
 bool needsMaterials(const Skin& skin)
 {
@@ -42,6 +48,9 @@ SkinPass::SkinPass(const Gpu& gpu, BufferTable& table, const World& world, const
                                             "skinVertexLooks", "skinMaterials", "skinLevels", "skinTexels"};
     Defines looks = Finishes(world).lightingDefines();
     if (std::ranges::any_of(world.skins, needsMaterials)) looks.push_back({"MATERIALS", "1"});
+    if (std::ranges::any_of(world.skins, hasNormals)) looks.push_back({"NORMALS", "1"});
+    if (const uint32_t alpha = Finishes(world).mappedAlpha(); alpha != 0)
+        looks.push_back({"ROUGHNESSES", std::to_string(alpha) + "u"});
     if (std::ranges::any_of(world.skins, isTwoSided)) looks.push_back({"TWO_SIDED", "1"});
     skins_ = DrawPass(gpu, table, {"skins/skin", "skins/skin", looks}, reads, targets.geometry);
     Defines lightView{{"LIGHT_VIEW", "1"}};

@@ -10,6 +10,11 @@ namespace knuckle::gpu {
 
 // Vertices of a wearer's skin that a group of threads poses, each several of them; each wearer starts a new group.
 #define SKIN_GROUP_SIZE 512u
+// Per material of a skin: alpha cutoff, bits: two-sided, wrap of u and v, the first level of its picture, levels; those
+// of its normals, their scale; those of its roughnesses, factors of roughness and metalness.
+#define SKIN_MATERIAL_TEXELS 3
+// Steps of roughness that are told apart where a picture has it.
+#define ROUGHNESS_STEPS 16
 // Tolerated error of a level of detail in texels of the shadow map, per pixel of the tolerance in the picture.
 #define SKIN_TEXELS_A_PIXEL 1.5f
 

@@ -1,6 +1,6 @@
 // Depth, normal and colour of a skin.
 #include "render/common/frame_blocks.glsl"
-#include "render/skins/skin_looks.glsl"
+#include "render/skins/skin_maps.glsl"
 
 in vec3 viewNormal;
 in vec2 uv;
@@ -21,13 +21,20 @@ void main()
     roots *= sqrt(picture.rgb);
 #endif
     vec3 normal = viewNormal;
+#ifdef NORMALS
+    normal = mappedNormal(looks, material, normalize(normal), viewRay(gl_FragCoord.xy) / gl_FragCoord.w, uv);
+#endif
 #ifdef TWO_SIDED
     // A back is lit from its own side. A front's normal may point away a little where the mesh turns out of sight.
     if (!gl_FrontFacing && dot(normal, viewRay(gl_FragCoord.xy)) > 0.0) normal = -normal;
 #endif
     uint word = packRoots(roots, 1.0);
 #ifdef FINISHES
-    word = (word & 0xffffffu) | finishAlpha << 24;
+    uint finish = finishAlpha;
+#ifdef ROUGHNESSES
+    if (finish == ROUGHNESSES) finish += mappedFinish(looks, material, uv);
+#endif
+    word = (word & 0xffffffu) | finish << 24;
 #endif
     surface = uvec2(packNormal(normal), word);
     gl_FragDepth = 1.0 / (gl_FragCoord.w * frame.farDepth);

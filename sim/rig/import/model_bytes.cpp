@@ -112,6 +112,9 @@ void visitModel(Archive& archive, Any& model)
         archive.plain(material.wrap);
         archive.plain(material.roughness);
         archive.plain(material.metalness);
+        archive.plain(material.normals);
+        archive.plain(material.roughnesses);
+        archive.plain(material.normalScale);
     });
     archive.list(model.surface.textures, [&](auto& picture) {
         archive.plain(picture.width);
@@ -151,8 +154,10 @@ bool valid(const ModelSurface& surface, size_t vertexCount)
     for (const SkinMaterial& material : surface.materials) {
         good = good && material.color.allFinite() && std::isfinite(material.alphaCutoff) &&
                material.roughness <= 1.0f && material.metalness <= 1.0f &&
-               std::ranges::max(material.wrap) <= TextureWrap::Clamp &&
-               (material.texture == NO_INDEX || material.texture < surface.textures.size());
+               std::ranges::max(material.wrap) <= TextureWrap::Clamp && material.normalScale >= 0.0f &&
+               material.normalScale <= 10.0f;
+        for (const uint32_t texture : {material.texture, material.normals, material.roughnesses})
+            good = good && (texture == NO_INDEX || texture < surface.textures.size());
     }
     for (const TexturePicture& picture : surface.textures) {
         good = good && picture.width > 0 && picture.height > 0 && picture.width <= TEXTURE_SIDE &&

@@ -34,22 +34,23 @@ float wrapped(float place, TextureWrap wrap)
     return 1.0f - std::abs(2.0f * (pair - std::floor(pair)) - 1.0f);
 }
 
-TexturePicture halved(const TexturePicture& picture)
+TexturePicture halved(const TexturePicture& picture, bool isColor)
 {
     TexturePicture half{std::max(1u, picture.width / 2), std::max(1u, picture.height / 2), {}};
     half.rgba.reserve(size_t{4} * half.width * half.height);
     for (uint32_t y = 0; y < half.height; ++y) {
         for (uint32_t x = 0; x < half.width; ++x) {
             for (uint32_t channel = 0; channel < 4; ++channel) {
+                const bool isLight = isColor && channel < 3;
                 float sum = 0.0f;
                 for (const uint32_t corner : {0u, 1u, 2u, 3u}) {
                     const uint32_t column = std::min(2 * x + corner % 2, picture.width - 1);
                     const uint32_t row = std::min(2 * y + corner / 2, picture.height - 1);
                     const float value = picture.rgba[size_t{4} * (size_t{row} * picture.width + column) + channel];
-                    // Averages squares of colours, which are nearly linear in light; alpha is averaged as it is.
-                    sum += channel < 3 ? value * value : value;
+                    // Averages squares of colours, which are nearly linear in light; all else is averaged as it is.
+                    sum += isLight ? value * value : value;
                 }
-                const float mean = channel < 3 ? std::sqrt(0.25f * sum) : 0.25f * sum;
+                const float mean = isLight ? std::sqrt(0.25f * sum) : 0.25f * sum;
                 half.rgba.push_back(static_cast<uint8_t>(std::lround(mean)));
             }
         }
@@ -68,8 +69,9 @@ void validateSkins(const World& world)
                         picture.rgba.size() == size_t{4} * picture.width * picture.height,
                     "a texture is empty, too large, or has another size than it says");
         for (const SkinMaterial& material : mesh.materials)
-            require(material.texture == NO_INDEX || material.texture < mesh.textures.size(),
-                    "a material has a texture that is not there");
+            for (const uint32_t texture : {material.texture, material.normals, material.roughnesses})
+                require(texture == NO_INDEX || texture < mesh.textures.size(),
+                        "a material has a texture that is not there");
         for (const auto& triangle : mesh.triangles)
             require(*std::ranges::max_element(triangle) < mesh.vertices.size(), "a triangle has a vertex too many");
         for (const uint32_t object : skin.objects) {

@@ -21,7 +21,8 @@ struct TexturePicture {
 };
 
 /// The picture at half its sides, rounded down, at least one pixel: the next level of its mipmap.
-TexturePicture halved(const TexturePicture& picture);
+/// @param isColor  Whether red, green and blue are colours, or other numbers.
+TexturePicture halved(const TexturePicture& picture, bool isColor = true);
 
 /// What continues a picture beyond its edge; TEXTURE_... of shaders/shared/constants.h.
 enum class TextureWrap : uint8_t {

@@ -188,6 +188,20 @@ TEST_F(Surface, KnowsFactorsOfMetalnessAndRoughness)
     EXPECT_FLOAT_EQ(brass.roughness, 0.25f);
 }
 
+TEST_F(Surface, KnowsPicturesOfNormalsAndRoughnesses)
+{
+    write("paint.tga", smallPicture());
+    const SkinMaterial bumped = lookOf(trianglePainted(
+        R"({ "normalTexture": { "index": 0, "scale": 0.5 },
+             "pbrMetallicRoughness": { "metallicRoughnessTexture": { "index": 0 } } })"));
+    EXPECT_EQ(bumped.texture, NO_INDEX);
+    EXPECT_EQ(bumped.normals, 0u);
+    EXPECT_EQ(bumped.roughnesses, 0u);
+    EXPECT_EQ(bumped.normalScale, 0.5f);
+    // Other places than those of the colours are not kept.
+    EXPECT_EQ(lookOf(trianglePainted(R"({ "normalTexture": { "index": 0, "texCoord": 1 } })")).normals, NO_INDEX);
+}
+
 TEST_F(Surface, ADamagedTextureIsANoteAndItsMaterialPlain)
 {
     write("paint.tga", smallPicture().substr(0, 10));

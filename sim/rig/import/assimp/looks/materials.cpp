@@ -207,6 +207,31 @@ float factorOf(const aiMaterial& material, const char* key, unsigned type, unsig
     return std::min(static_cast<float>(value), 1.0f);
 }
 
+/// A picture of numbers, whose places must be those of the colours.
+uint32_t readMap(const aiMaterial& material, std::initializer_list<aiTextureType> types, TextureReader& textures,
+                 unsigned channel)
+{
+    for (const aiTextureType type : types) {
+        aiString name;
+        unsigned own = 0;
+        if (material.GetTexture(type, 0, &name, nullptr, &own) == aiReturn_SUCCESS && name.length > 0 && own == channel)
+            return textures.read(name.C_Str());
+    }
+    return NO_INDEX;
+}
+
+void readMaps(const aiMaterial& material, TextureReader& textures, unsigned channel, SkinMaterial& converted)
+{
+    converted.normals = readMap(material, {aiTextureType_NORMALS}, textures, channel);
+    // Assimp's words for glTF's picture of both, in its versions.
+    converted.roughnesses = readMap(material, {aiTextureType_DIFFUSE_ROUGHNESS, aiTextureType_UNKNOWN}, textures,
+                                    channel);
+    ai_real scale = 1.0f;
+    if (material.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), scale) == aiReturn_SUCCESS &&
+        std::isfinite(scale))
+        converted.normalScale = std::clamp(static_cast<float>(scale), 0.0f, 10.0f);
+}
+
 /// @param picture gets where the picture's places are.
 SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures, ConvertedMaterial& picture)
 {
@@ -238,6 +263,7 @@ SkinMaterial convertMaterial(const aiMaterial& material, TextureReader& textures
         break;
     }
     converted.alphaCutoff = cutoffOf(converted, color.alpha);
+    readMaps(material, textures, picture.uvChannel, converted);
     return converted;
 }
 
