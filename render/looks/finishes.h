@@ -42,8 +42,8 @@ public:
     uint32_t alphaOf(const SurfaceFinish& finish) const;
     /// A colour word with a finish; 0, which stands for the colour of a speed, stays it unless there is a finish.
     uint32_t withFinish(uint32_t colorWord, const SurfaceFinish& finish) const;
-    /// Where a picture says how rough skins are: what surface words have for the least roughness of what is no metal. The
-    /// others follow, metals after every roughness, of ROUGHNESS_STEPS. 0 where no skin has such a picture.
+    /// Where a picture says how rough skins are: what surface words have for the least roughness of what is no metal.
+    /// The others follow, metals after every roughness, of ROUGHNESS_STEPS. 0 where no skin has such a picture.
     uint32_t mappedAlpha() const { return mapped_; }
     bool empty() const { return finishes_.empty(); }
     /// Whether any of them has a pattern.

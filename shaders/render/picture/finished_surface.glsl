@@ -18,7 +18,7 @@ vec3 finishedSurface(Finish finish, vec3 albedo, Facing facing, vec3 p, vec2 rea
     vec3 light = key * directShare(finish, albedo, facing, view.keyInView.xyz, reach.y, reach.x, frame.keyDirection.w);
 #ifdef LIGHTS
     for (int k = 0; k < LIGHTS; ++k) {
-        vec3 strength, way = sourceWay(k, p, strength);
+        vec3 strength, way = sourceWay(k, p, facing.normal, strength);
         light += strength * KEY_SHARE * directShare(finish, albedo, facing, way, 1.0, 1.0, 0.0);
     }
 #endif

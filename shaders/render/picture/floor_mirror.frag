@@ -23,7 +23,7 @@ void main()
     if (depth >= frame.farDepth || !isGround(surface)) discard;
     vec3 ray = viewRay(gl_FragCoord.xy), p = ray * depth, toEye = -normalize(p), n = unpackNormal(surface.x);
     vec3 way = reflect(-toEye, n), light = skyTowards(way);
-    float along = met(p + 0.002 * -p.z * n, way, STEPS, GROWTH);
+    float along = met(p + 0.002 * -p.z * n, way, STEPS, GROWTH, ANY_THICKNESS);
     vec2 place = pictureOf(p + along * way);
     if (along > 0.0 && !isGround(texelFetch(surfacePicture, ivec2(place * vec2(frame.width, frame.height)), 0).xy)) {
         vec3 seen = lightIn(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w;

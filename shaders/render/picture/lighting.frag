@@ -1,13 +1,13 @@
 // Lights the surfaces and paints the sky behind them; writes final colours, or light.
 #include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
+#include "render/common/screen_march.glsl"
 #include "render/common/surface.glsl"
 #include "render/common/sky.glsl"
 #include "render/common/tone/tone_map.glsl"
 #include "render/picture/backdrop.glsl"
 #include "render/picture/lit_surface.glsl"
 
-uniform sampler2D depthPicture;
 uniform usampler2D surfacePicture;
 layout(location = 0) out vec4 picture;
 #ifdef TRANSPARENT

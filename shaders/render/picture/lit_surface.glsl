@@ -81,7 +81,7 @@ vec3 litSurface(ivec2 pixel, vec3 p, uvec2 surface, float depth)
     vec3 sheen = frame.keyColor.rgb * (0.05 * gloss * facing) + sky * (0.16 * grazing2 * grazing2 * reach.x * reach.x);
 #ifdef LIGHTS
     for (int k = 0; k < LIGHTS; ++k) {
-        vec3 strength, way = sourceWay(k, p, strength);
+        vec3 strength, way = sourceWay(k, p, n, strength);
         vec3 arriving = strength * max(dot(n, way), 0.0);
         light += albedo * arriving * KEY_SHARE;
         sheen += arriving * (0.05 * glossOf(n, way, toEye));
