@@ -69,7 +69,7 @@ struct CameraSettings {
 /// A part of a film: one camera, one pace.
 struct Shot {
     double from = 0.0;       ///< Of the film [s]; the first begins at 0.
-    float timeScale = 1.0f;  ///< Simulated seconds a second of film, 0 ... 1; 0: it stands still.
+    float timeScale = 1.0f;  ///< Simulated seconds a second of film, 0 ... 1000; 0: it stands still.
     CameraSettings camera = {};
 };
 

@@ -144,8 +144,8 @@ int renderScene(const RenderOptions& options, const CommonOptions& common, std::
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", named, warning));
     if (!exporters.empty() && !scene.clock.isEven())
-        throw InputError("--export: frames of slow motion and of what stands still are none of the simulation; export "
-                         "without them: --set 'shots=[]'");
+        throw InputError("--export: shots of another `timeScale` than 1 show moments that are no frames of the "
+                         "simulation; export without them: --set 'shots=[]'");
     const std::unique_ptr<Branch> branch = states ? nullptr : openBranch(scene);
     film.branch = branch.get();
     if (film.outputs.empty()) {

@@ -107,10 +107,11 @@ TEST(Cameras, AreRefusedInOneLine)
         {R"("shots": [{ "from": 0 }, { "from": 2 }, { "from": 2 }])",
          "/shots/2/from: must be after that of the shot before"},
         {R"("shots": [{ "camera": "" }])",
-         "/shots/0: \"from\" is missing; add it: When it begins, in the time of the film: slow motion makes the film "
-         "longer, not `duration`. The first begins at 0. Its first frame is the first at this time or later."},
+         "/shots/0: \"from\" is missing; add it: When it begins, in the time of the film: `timeScale` changes how "
+         "much is simulated, not `duration`. The first begins at 0. Its first frame is the first at this time or "
+         "later."},
         {R"("shots": [{ "from": 0, "timeScale": -1 }])", "/shots/0/timeScale: -1 is below the minimum 0"},
-        {R"("shots": [{ "from": 0, "timeScale": 2 }])", "/shots/0/timeScale: 2 is above the maximum 1"},
+        {R"("shots": [{ "from": 0, "timeScale": 2000 }])", "/shots/0/timeScale: 2000 is above the maximum 1000"},
         {R"("camera": { "keys": [{ "time": 2 }, { "time": 1 }] })",
          "/camera/keys/1/time: must be after that of the key before"},
         {R"("camera": { "keys": [{ "time": 0, "easing": "smoth" }] })",
