@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/commands/command_options.h"
 #include "app/film/film_outputs.h"
+#include "app/film/film_views.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
 
@@ -27,6 +29,12 @@ Json labelsOf(const std::string& list)
     return words;
 }
 
+/// Whether a --camera is of an output of its own.
+bool namesOutput(const std::string& camera)
+{
+    return camera.find('=') != std::string::npos;
+}
+
 }  // namespace
 
 std::vector<Override> overridesOf(const RenderOptions& options)
@@ -43,10 +51,15 @@ std::vector<Override> overridesOf(const RenderOptions& options)
     if (!options.labels.empty()) overrides.push_back({"render.labels", labelsOf(options.labels)});
     if (!options.framesPerSecond.empty())
         overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
-    if (!options.camera.empty() && options.turntable)
-        throw InputError("--turntable: is a camera of its own; leave out --camera");
-    const std::string camera = options.turntable ? "turntable" : options.camera;
-    if (!camera.empty()) overrides.push_back({"render.camera", camera});
+    std::vector<std::string> only = options.cameras;
+    std::erase_if(only, namesOutput);
+    if (only.size() > 1)
+        throw InputError(fmt::format("--camera {0}, {1}: one films everything; give others an output of their own, as "
+                                     "--camera {1}={1}.mp4",
+                                     only[0], only[1]));
+    if (!only.empty() && options.turntable) throw InputError("--turntable: is a camera of its own; leave out --camera");
+    if (options.turntable) only = {"turntable"};
+    if (!only.empty()) overrides.push_back({"render.camera", only[0]});
     return overrides;
 }
 
@@ -60,13 +73,25 @@ RecordOptions recordOptions(const RenderOptions& options)
     return record;
 }
 
-void changePicture(Scene& scene, const RenderOptions& options)
+void addOutputs(FilmOptions& film, const RenderOptions& options)
+{
+    film.outputs = options.outputs;
+    film.cameras.resize(film.outputs.size());
+    for (const std::string& text : options.cameras) {
+        if (!namesOutput(text)) continue;
+        CameraOutput output = CameraOutput::parse(text);
+        film.outputs.push_back(std::move(output.path));
+        film.cameras.push_back(std::move(output.camera));
+    }
+}
+
+void changePicture(Scene& scene, const RenderOptions& options, const FilmOptions& film)
 {
     for (const std::string& text : options.captions) scene.render.overlay.captions.push_back({.text = text});
     if (options.film.depth != 8 && options.film.depth != 16)
         throw InputError(fmt::format("--depth {}: must be 8 or 16", options.film.depth));
     const bool isExr = std::ranges::any_of(
-        options.outputs, [](const std::string& path) { return !isFilm(path) && FrameNames::of(path).areExr(); });
+        film.outputs, [](const std::string& path) { return !isFilm(path) && FrameNames::of(path).areExr(); });
     if (isExr || options.film.depth == 16) scene.render.depth = 16;
 }
 
@@ -121,6 +146,8 @@ void requireOneScene(const RenderOptions& options)
         options.film.checkpoint.seconds)
         throw InputError("several scenes: --export, --record, --save-state, --stats, --from, --checkpoint and --resume "
                          "are for one at a time; leave them out, or call knuckle for each");
+    if (std::ranges::any_of(options.cameras, namesOutput))
+        throw InputError("several scenes: --camera NAME=OUTPUT is for one at a time; give --camera NAME alone");
     if (options.outputs.size() > 1 ||
         (options.outputs.size() == 1 && (isFilm(options.outputs[0]) || FrameNames::areGivenBy(options.outputs[0]))))
         throw InputError(fmt::format("-o {}: several scenes want a folder, in which each gets one of its own",
