@@ -11,6 +11,7 @@
 #include "app/film/film_views.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
+#include "sim/solver/workload.h"
 
 namespace knuckle {
 
@@ -33,6 +34,14 @@ Json labelsOf(const std::string& list)
 bool namesOutput(const std::string& camera)
 {
     return camera.find('=') != std::string::npos;
+}
+
+/// Estimated time of a frame's steps [ms].
+double stepTime(const Scene& scene)
+{
+    constexpr double DISPATCH = 0.02;  // on one thread [ms]
+    const Workload work = stepWorkload(scene.world) * scene.stepsPerFrame;
+    return work.milliseconds + DISPATCH * work.dispatches;
 }
 
 }  // namespace
@@ -108,21 +117,21 @@ Preview previewOf(const Scene& real, const std::function<Scene(const std::vector
     } catch (const InputError&) {
         preview.scene = load(changes);  // something in it is too thin for larger particles
     }
+    preview.steps = stepTime(real) / stepTime(preview.scene);
     return preview;
 }
 
 double estimatedSeconds(const Preview& preview, const RunFigures& figures, uint64_t stride)
 {
     const Scene& rough = preview.scene;
-    const double particles = static_cast<double>(preview.particles) /
-                             static_cast<double>(std::max<size_t>(rough.world.particles.size(), 1));
     const double pixels = static_cast<double>(preview.width) * preview.height /
                           (static_cast<double>(rough.render.width) * rough.render.height);
     const double frames = static_cast<double>(preview.stride) / static_cast<double>(stride);
-    const double simulating = figures.simulationSeconds, drawing = figures.drawing.seconds;
-    // Both may go on at once: then they do in the real one.
-    return figures.totalSeconds * (simulating * particles + drawing * pixels * frames) /
-           std::max(simulating + drawing, 1e-9);
+    const double simulating = (figures.simulationSeconds - figures.warm.simulationSeconds) * preview.steps;
+    const double drawing = (figures.drawing.seconds - figures.drawing.firstSeconds) * pixels * frames;
+    // What goes on at once here does so in the real one.
+    const double both = figures.driverThreads.drawAside ? std::max(simulating, drawing) : simulating + drawing;
+    return figures.warm.totalSeconds + both;
 }
 
 void checkOptions(const RenderOptions& options, const FilmOptions& film)

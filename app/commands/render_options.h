@@ -40,6 +40,7 @@ struct Preview {
     uint64_t stride = 1;
     size_t particles = 0;  ///< Of the real one.
     uint32_t width = 0, height = 0;
+    double steps = 1.0;  ///< Time of a frame's steps in the real one, over that here.
 };
 
 /// @param load loads the scene with overrides behind its own.

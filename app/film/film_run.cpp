@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "app/export/frame_export.h"
@@ -54,7 +53,10 @@ public:
         for (uint64_t frame = done_ + 1; frame <= range_.last; ++frame) {
             if (frame > begin_) advance(frame);
             takeFrame(frame);
-            if (frame == done_ + WARM_UP) interrupt.emplace();
+            if (frame == done_ + WARM_UP) {
+                interrupt.emplace();
+                figures_.warm = {progress_.seconds(), figures_.simulationSeconds};
+            }
             const bool stopped = interrupt && interrupt->isSignalled();
             if (checkpoint_ && (stopped || frame == range_.last || checkpoint_->isDue())) saveCheckpoint(frame);
             if (stopped) {
@@ -141,8 +143,8 @@ private:
     FrameWork work() const
     {
         const double drawn = outputs_.sinks.empty() ? 0.0 : static_cast<double>(range_.count());
-        const auto simulated = static_cast<double>(range_.last - begin_ + 1);
-        return {stepWorkload(scene_.world) * scene_.stepsPerFrame, drawingWorkload(views_) * (drawn / simulated)};
+        return {stepWorkload(scene_.world) * scene_.stepsPerFrame,
+                drawingWorkload(views_) * (drawn / static_cast<double>(range_.last - begin_ + 1))};
     }
 
     std::unique_ptr<FrameDrawing> openDrawing(bool timed)

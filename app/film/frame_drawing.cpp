@@ -77,19 +77,25 @@ void DrawingHere::fetch()
 {
     const auto isUnread = [](const auto& own) { return own->unread.has_value(); };
     if (std::ranges::none_of(views_, isUnread)) return;
-    const Stopwatch watch(figures_.seconds);
-    figures_.passes.clear();
-    for (const auto& own : views_) {
-        own->renderer.timer().collect();
-        addTotals(own->renderer.timer().totals(), figures_.passes);
-        if (!own->unread) continue;
-        Image image = own->renderer.readImage();
-        image.text = std::move(own->unread->labels);
-        gpu_.checkErrors();
-        for (FrameSink* sink : own->sinks)
-            if (sink->wants(own->unread->number)) sink->write(image, own->unread->number);
-        own->unread.reset();
+    {
+        const Stopwatch watch(figures_.seconds);
+        figures_.passes.clear();
+        for (const auto& own : views_) fetch(*own);
     }
+    if (figures_.frames == 1) figures_.firstSeconds = figures_.seconds;
+}
+
+void DrawingHere::fetch(View& own)
+{
+    own.renderer.timer().collect();
+    addTotals(own.renderer.timer().totals(), figures_.passes);
+    if (!own.unread) return;
+    Image image = own.renderer.readImage();
+    image.text = std::move(own.unread->labels);
+    gpu_.checkErrors();
+    for (FrameSink* sink : own.sinks)
+        if (sink->wants(own.unread->number)) sink->write(image, own.unread->number);
+    own.unread.reset();
 }
 
 CameraStates DrawingHere::saveState()

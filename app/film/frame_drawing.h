@@ -69,6 +69,7 @@ private:
     };
     /// @returns whether a picture is finished.
     static bool take(View& own, const ParticleView& view, const Frame& frame);
+    void fetch(View& own);
 
     Gpu& gpu_;
     std::vector<std::unique_ptr<View>> views_;

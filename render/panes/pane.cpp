@@ -68,6 +68,8 @@ struct Pane::Impl {
     Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
     Buffer<uint32_t> unseen, framedParticles;
     Buffer<gpu::vec4> planes;
+    Buffer<gpu::CameraSolid> solids;
+    Buffer<float> grids;
     ShownBuffers shown;
     RenderTargets targets;
     BufferTable table;
@@ -97,14 +99,17 @@ Pane::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen, Ker
       beads(drawsFluids(world, settings, DrawnAs::Particles)),
       unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
       framedParticles("framedParticles", std::span<const uint32_t>(framed.words)),
-      planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))), shown(world),
+      planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))),
+      solids("cameraSolids", std::span<const gpu::CameraSolid>(cameraSolids(world).solids)),
+      grids("cameraGrids", std::span<const float>(cameraSolids(world).grids)), shown(world),
       targets(settings, drawsFluids(world, settings, DrawnAs::Surface)),
-      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty()), quantities(gpu, table, world, settings),
-      fluidLooks(table, world, settings), looks(table, world, settings, extent),
-      lists(gpu, table, world, targets.hasSurfaces()), colliders(gpu, table, world, extent, targets),
-      skins(gpu, table, world, targets), shapes(gpu, table, world, settings, targets),
-      surfaces(gpu, table, world, settings, targets), ropes(gpu, table, world, settings, targets),
-      spheres(gpu, table, world, settings, targets), fluids(gpu, table, world, settings, targets),
+      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty(), solids.size() > 0),
+      quantities(gpu, table, world, settings), fluidLooks(table, world, settings),
+      looks(table, world, settings, extent), lists(gpu, table, world, targets.hasSurfaces()),
+      colliders(gpu, table, world, extent, targets), skins(gpu, table, world, targets),
+      shapes(gpu, table, world, settings, targets), surfaces(gpu, table, world, settings, targets),
+      ropes(gpu, table, world, settings, targets), spheres(gpu, table, world, settings, targets),
+      fluids(gpu, table, world, settings, targets),
       picture(gpu, table, targets, settings, looks.lighting(), looks.isMirror()), lens(gpu, table, targets, settings),
       marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets,
             displayDefines(settings)),
@@ -112,6 +117,7 @@ Pane::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen, Ker
       timer(timerIn)
 {
     input.cameraPlaneCount = static_cast<uint32_t>(planes.size());
+    input.cameraSolidCount = static_cast<uint32_t>(solids.size());
     gpu.checkErrors();
 }
 
@@ -119,7 +125,7 @@ BufferTable& Pane::Impl::addInputs()
 {
     targets.addTo(table);
     table.add(Lifetime::Scratch, inputBuffer);
-    table.add(Lifetime::Constant, unseen, framedParticles, planes);
+    table.add(Lifetime::Constant, unseen, framedParticles, planes, solids, grids);
     shown.addTo(table);
     return table;
 }
