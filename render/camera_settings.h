@@ -66,11 +66,23 @@ struct CameraSettings {
     std::vector<ParticleRange> named = {};    ///< Whom attention is for; not empty unless it is None.
 };
 
-/// A part of a film: one camera, one pace.
+/// What a frame shows beside what its camera sees.
+enum class PictureLayout : uint32_t {
+    One,     ///< Nothing.
+    Inset,   ///< What another camera sees, small, in a corner.
+    Beside,  ///< The same in its right half.
+};
+
+enum class Corner : uint32_t { TopLeft, TopRight, BottomLeft, BottomRight };
+
+/// A part of a film: one camera or two, one pace.
 struct Shot {
     double from = 0.0;       ///< Of the film [s]; the first begins at 0.
-    float timeScale = 1.0f;  ///< Simulated seconds a second of film, 0 ... 1; 0: it stands still.
+    float timeScale = 1.0f;  ///< Simulated seconds a second of film, 0 ... 1000; 0: it stands still.
     CameraSettings camera = {};
+    PictureLayout layout = PictureLayout::One;
+    CameraSettings other = {};             ///< The second camera, if there is one.
+    Corner insetAt = Corner::BottomRight;  ///< Inset only.
 };
 
 /// The shot at a time of the film [s]: the last that has begun. @param shots in order, not empty.

@@ -25,6 +25,14 @@ GLuint copyVectors(GLuint source, uint32_t count, RawBuffer& copy, const char* l
     return copyBytes(source, count * sizeof(gpu::vec4), copy, label);
 }
 
+/// Whether any camera goes by the middle of an object.
+bool follows(const RenderSettings& picture)
+{
+    return std::ranges::any_of(shotsOf(picture), [](const Shot& shot) {
+        return shot.camera.kind == CameraKind::Follow || shot.other.kind == CameraKind::Follow;
+    });
+}
+
 }  // namespace
 
 FrameSnapshot::Fence::~Fence()
@@ -45,13 +53,11 @@ void FrameSnapshot::Fence::wait()
     if (sync_ != nullptr) glWaitSync(sync_, 0, GL_TIMEOUT_IGNORED);
 }
 
-FrameSnapshot::FrameSnapshot(const World& world, const RenderSettings& settings)
-    : showsSpeeds_(settings.colorBy == ColorBy::Speed),
+FrameSnapshot::FrameSnapshot(const World& world, const std::vector<RenderSettings>& pictures)
+    : showsSpeeds_(std::ranges::any_of(pictures, [](const auto& p) { return p.colorBy == ColorBy::Speed; })),
       showsRotations_(!world.skins.empty() || !world.bodyShapes.empty()),
-      showsCentres_(showsRotations_ ||
-                    std::ranges::any_of(shotsOf(settings),
-                                        [](const Shot& shot) { return shot.camera.kind == CameraKind::Follow; })),
-      showsSlots_(world.fluidCount > 0 && showsFluids(settings))
+      showsCentres_(showsRotations_ || std::ranges::any_of(pictures, follows)),
+      showsSlots_(world.fluidCount > 0 && std::ranges::any_of(pictures, showsFluids))
 {
 }
 

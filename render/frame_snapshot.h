@@ -11,8 +11,8 @@ namespace knuckle {
 /// continues. Lives in the solver's context; its two sides may be called on different threads, one at a time.
 class FrameSnapshot {
 public:
-    /// @param world, settings of the pictures: they determine what is copied.
-    FrameSnapshot(const World& world, const RenderSettings& settings);
+    /// @param world, pictures that are drawn of it: they determine what is copied.
+    FrameSnapshot(const World& world, const std::vector<RenderSettings>& pictures);
     /// On the solver's side: copies, after all drawing from the last copy.
     void take(const ParticleView& view);
     /// On the drawing side: the copy, complete for all later draw calls.

@@ -1,37 +1,23 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <vector>
 
-#include "render/picture/image.h"
-#include "render/settings.h"
-#include "sim/gpu/buffer_table.h"
-#include "sim/gpu/gpu.h"
-#include "sim/gpu/kernel.h"
-#include "sim/solver/particle_view.h"
-#include "sim/world/world.h"
+#include "render/overlay/overlay.h"
+#include "render/panes/layout.h"
+#include "render/panes/pane.h"
 
 namespace knuckle {
 
 /// Estimates the work of one picture for a software driver, within a factor of three.
 Workload drawingWorkload(const RenderSettings& settings);
 
-/// All that a renderer carries from one frame to the next: the last place of a camera that follows or frames moving
-/// things. With the same World, settings, program and driver, a renderer that loads it continues with the same
-/// pictures.
-struct RendererState {
-    std::optional<double> lookedAt;  ///< Time of the film at the camera's last look [s].
-    BufferState buffers;
-};
-
-/// Draws particles as spheres, shapes of bodies, and skins, directly from the solver's buffers, with the world's
-/// colliders around them.
+/// Draws the frames of a film: what the camera of a shot sees, or two of them in one picture, with text over it.
 class Renderer {
 public:
     /// @throws InputError for a camera that follows an unknown object or a setting out of range.
     /// @throws DeviceError if the device cannot draw at that size.
     Renderer(Gpu& gpu, const World& world, const RenderSettings& settings);
-    ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
@@ -51,11 +37,18 @@ public:
     /// @throws std::logic_error if it is not from a renderer of the same kind; then nothing changes.
     void loadState(const RendererState& state);
     /// Times the passes when enabled.
-    KernelTimer& timer();
+    KernelTimer& timer() { return timer_; }
 
 private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    /// Of the shot at a time; the first is of its own camera.
+    std::vector<Pane*> panesAt(double time) const;
+
+    std::vector<Shot> shots_;
+    KernelTimer timer_;
+    std::vector<PanePlan> plans_;
+    std::vector<std::unique_ptr<Pane>> panes_;  ///< Of the same.
+    Overlay overlay_;
+    double time_ = 0.0;  ///< Of the last look [s].
 };
 
 }  // namespace knuckle

@@ -44,7 +44,9 @@ bool hasAperture(const CameraSettings& camera)
 bool isBlurred(const RenderSettings& settings)
 {
     return settings.shutter > 0.0f || hasAperture(settings.camera) ||
-           std::ranges::any_of(settings.shots, [](const Shot& shot) { return hasAperture(shot.camera); });
+           std::ranges::any_of(settings.shots, [](const Shot& shot) {
+               return hasAperture(shot.camera) || (shot.layout != PictureLayout::One && hasAperture(shot.other));
+           });
 }
 
 void checkLens(const RenderSettings& settings)
@@ -70,6 +72,17 @@ size_t shotAt(const std::vector<Shot>& shots, double time)
     return static_cast<size_t>(std::max<std::ptrdiff_t>(next - shots.begin() - 1, 0));
 }
 
+RenderSettings filmedBy(const RenderSettings& settings, const std::string& camera)
+{
+    RenderSettings filmed = settings;
+    filmed.camera = settings.cameras.at(camera);
+    for (Shot& shot : filmed.shots) {
+        shot.camera = filmed.camera;
+        shot.layout = PictureLayout::One;
+    }
+    return filmed;
+}
+
 void checkSettings(const RenderSettings& settings)
 {
     requireRange(settings.width, 16, 8192, "render.width");
@@ -88,7 +101,10 @@ void checkSettings(const RenderSettings& settings)
     requireRange(settings.light.softness, 0, 20, "light.softness");
     checkLens(settings);
     checkCamera(settings.camera);
-    for (const Shot& shot : settings.shots) checkCamera(shot.camera);
+    for (const Shot& shot : settings.shots) {
+        checkCamera(shot.camera);
+        checkCamera(shot.other);
+    }
     if (!(settings.light.direction.norm() > 1e-6f))
         throw InputError("light.direction: it has no length; point it towards the light");
 }

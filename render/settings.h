@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,7 +27,7 @@ struct LightSettings {
     bool takesGroundColor = false;               ///< The same of groundColor.
 };
 
-/// A light beside the key light. It casts no shadow.
+/// A light beside the key light. It casts shadows of what the camera sees.
 struct LightSource {
     bool isPoint = true;
     Eigen::Vector3f place{0, 2, 0};  ///< Of a point [m]; otherwise towards it, normalized when used.
@@ -86,9 +87,10 @@ struct FogSettings {
 };
 
 struct RenderSettings {
-    uint32_t width = 1280, height = 720;  ///< [pixels], 16 ... 8192
-    CameraSettings camera;                ///< Of a film without shots.
-    std::vector<Shot> shots;              ///< In order; empty: one camera, at the pace of the simulation.
+    uint32_t width = 1280, height = 720;            ///< [pixels], 16 ... 8192
+    CameraSettings camera;                          ///< Of a film without shots.
+    std::vector<Shot> shots;                        ///< In order; empty: one camera, at the pace of the simulation.
+    std::map<std::string, CameraSettings> cameras;  ///< All that have a name, see filmedBy().
     LightSettings light;
     ColorBy colorBy = ColorBy::Body;
     bool highlightJoints = false;  ///< Shared particles red, as in the paper's figures.
@@ -121,6 +123,9 @@ inline bool showsQuantity(const RenderSettings& settings)
 {
     return settings.colorBy >= ColorBy::Speed;
 }
+
+/// The same film, every shot of it by one of its cameras alone. @throws std::out_of_range for an unknown name.
+RenderSettings filmedBy(const RenderSettings& settings, const std::string& camera);
 
 /// @throws InputError for a value out of range.
 void checkSettings(const RenderSettings& settings);

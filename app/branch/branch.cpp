@@ -66,11 +66,12 @@ void requireFullSpeed(const Scene& scene, const StatesFile& states)
 {
     const RunFacts& facts = states.facts();
     if (!scene.clock.isEven())
-        failAt(scene.file, "/shots", "a scene with `start` has no slow motion; let `timeScale` be 1 in all of them");
+        failAt(scene.file, "/shots",
+               "a scene with `start` has no slow or fast motion; let `timeScale` be 1 in all of them");
     if (!facts.document.empty() && !storedClock(facts.source.file, facts.document, facts.stepsPerFrame).isEven())
         fail(scene, "from",
-             fmt::format("{} is of a film with slow motion, from which nothing goes on; record it without: --set "
-                         "'shots=[]'",
+             fmt::format("{} is of a film with slow or fast motion, from which nothing goes on; record it without: "
+                         "--set 'shots=[]'",
                          states.path()));
 }
 

@@ -38,7 +38,7 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
             for (const std::string& note : scene.notes) fmt::print("{}: note: {}\n", path, note);
             for (const std::string& warning : scene.warnings) fmt::print("{}: warning: {}\n", path, warning);
             const World& world = scene.world;
-            for (const AnimatedDepth& deep : animatedDepths(world, static_cast<float>(scene.duration)))
+            for (const AnimatedDepth& deep : animatedDepths(world, static_cast<float>(scene.simulatedSeconds())))
                 fmt::print("{}: note: {}\n", path, sentenceOf(world, deep));
             fmt::print("{}: {}, {}, {}, {}, {:g} s ({})\n", path, counted(world.particles.size(), "particle"),
                        counted(world.bodies.size(), "body", "bodies"), counted(jointCount(world), "joint"),

@@ -68,12 +68,15 @@ void nameOutputs(FilmOptions& film, const RenderOptions& options, const Scene& s
     const auto add = [&](const std::string& option, const std::string& value) {
         if (!value.empty()) words.push_back(option + " " + value);
     };
-    for (const std::string& path : film.outputs) {
+    for (size_t k = 0; k < film.outputs.size(); ++k) {
+        const std::string& path = film.outputs[k];
         if (OutputPlace::of(path).kind == OutputPlace::Kind::Stream)
             throw InputError(fmt::format("--checkpoint: -o {} is a stream, with which no later run can go on; name a "
                                          "file or a folder",
                                          path));
-        add("-o", path);
+        const std::string camera = k < film.cameras.size() ? film.cameras[k] : "";
+        if (camera.empty()) add("-o", path);
+        else add("--camera", camera + "=" + path);
         film.checkpoint.folders.push_back(isFilm(path) ? folderOf(OutputPlace::of(path).path)
                                                        : FrameNames::of(path).folder);
     }
@@ -110,7 +113,7 @@ int renderScene(const RenderOptions& options, const CommonOptions& common, std::
     film.frames.stride = options.stride;
     Exporters exporters = makeExporters(options.exports);
     const bool several = options.scenes.size() > 1;
-    if (!several) film.outputs = options.outputs;
+    if (!several) addOutputs(film, options);
     film.record = recordOptions(options);
     film.checkpoint = checkpointOptions(options);
     checkOptions(options, film);
@@ -139,13 +142,13 @@ int renderScene(const RenderOptions& options, const CommonOptions& common, std::
         film.frames.stride = std::max(film.frames.stride, preview->stride);
     }
     readSkyOf(scene);
-    changePicture(scene, options);
+    changePicture(scene, options, film);
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", named, warning));
     if (!exporters.empty() && !scene.clock.isEven())
-        throw InputError("--export: frames of slow motion and of what stands still are none of the simulation; export "
-                         "without them: --set 'shots=[]'");
+        throw InputError("--export: shots of another `timeScale` than 1 show moments that are no frames of the "
+                         "simulation; export without them: --set 'shots=[]'");
     const std::unique_ptr<Branch> branch = states ? nullptr : openBranch(scene);
     film.branch = branch.get();
     if (film.outputs.empty()) {
@@ -257,11 +260,10 @@ void addRenderCommand(CommandLine line)
     command->add_option("--size", options->size, "Pixels of a frame [the scene's, 1280x720]")->type_name("WxH");
     command->add_option("--fps", options->framesPerSecond, "Frames per second, as 30 or 24000/1001 [the scene's, 60]")
         ->type_name("N");
-    command
-        ->add_option("--camera", options->camera,
-                     "Film everything by this one of the scene's cameras, or by auto, which sees all that moves "
-                     "[as its shots say]")
-        ->type_name("NAME|auto");
+    list("--camera", options->cameras,
+         "Film everything by this one of the scene's cameras, or by auto, which sees all that moves [as its shots "
+         "say]; with an output, as often as wanted: one more film of the same run, by this camera",
+         "NAME|NAME=OUTPUT");
     command->add_flag("--preview", options->preview,
                       "A rough film in a fraction of the time: larger particles where the scene allows them, a small "
                       "picture, 12 frames a second; then an estimate of the time for the real one");

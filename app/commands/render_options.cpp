@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/commands/command_options.h"
 #include "app/film/film_outputs.h"
+#include "app/film/film_views.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
+#include "sim/solver/workload.h"
 
 namespace knuckle {
 
@@ -27,6 +30,20 @@ Json labelsOf(const std::string& list)
     return words;
 }
 
+/// Whether a --camera is of an output of its own.
+bool namesOutput(const std::string& camera)
+{
+    return camera.find('=') != std::string::npos;
+}
+
+/// Estimated time of a frame's steps [ms].
+double stepTime(const Scene& scene)
+{
+    constexpr double DISPATCH = 0.02;  // on one thread [ms]
+    const Workload work = stepWorkload(scene.world) * scene.stepsPerFrame;
+    return work.milliseconds + DISPATCH * work.dispatches;
+}
+
 }  // namespace
 
 std::vector<Override> overridesOf(const RenderOptions& options)
@@ -43,10 +60,15 @@ std::vector<Override> overridesOf(const RenderOptions& options)
     if (!options.labels.empty()) overrides.push_back({"render.labels", labelsOf(options.labels)});
     if (!options.framesPerSecond.empty())
         overrides.push_back(parseOverride("fps=" + options.framesPerSecond, "--fps "));
-    if (!options.camera.empty() && options.turntable)
-        throw InputError("--turntable: is a camera of its own; leave out --camera");
-    const std::string camera = options.turntable ? "turntable" : options.camera;
-    if (!camera.empty()) overrides.push_back({"render.camera", camera});
+    std::vector<std::string> only = options.cameras;
+    std::erase_if(only, namesOutput);
+    if (only.size() > 1)
+        throw InputError(fmt::format("--camera {0}, {1}: one films everything; give others an output of their own, as "
+                                     "--camera {1}={1}.mp4",
+                                     only[0], only[1]));
+    if (!only.empty() && options.turntable) throw InputError("--turntable: is a camera of its own; leave out --camera");
+    if (options.turntable) only = {"turntable"};
+    if (!only.empty()) overrides.push_back({"render.camera", only[0]});
     return overrides;
 }
 
@@ -60,13 +82,25 @@ RecordOptions recordOptions(const RenderOptions& options)
     return record;
 }
 
-void changePicture(Scene& scene, const RenderOptions& options)
+void addOutputs(FilmOptions& film, const RenderOptions& options)
+{
+    film.outputs = options.outputs;
+    film.cameras.resize(film.outputs.size());
+    for (const std::string& text : options.cameras) {
+        if (!namesOutput(text)) continue;
+        CameraOutput output = CameraOutput::parse(text);
+        film.outputs.push_back(std::move(output.path));
+        film.cameras.push_back(std::move(output.camera));
+    }
+}
+
+void changePicture(Scene& scene, const RenderOptions& options, const FilmOptions& film)
 {
     for (const std::string& text : options.captions) scene.render.overlay.captions.push_back({.text = text});
     if (options.film.depth != 8 && options.film.depth != 16)
         throw InputError(fmt::format("--depth {}: must be 8 or 16", options.film.depth));
     const bool isExr = std::ranges::any_of(
-        options.outputs, [](const std::string& path) { return !isFilm(path) && FrameNames::of(path).areExr(); });
+        film.outputs, [](const std::string& path) { return !isFilm(path) && FrameNames::of(path).areExr(); });
     if (isExr || options.film.depth == 16) scene.render.depth = 16;
 }
 
@@ -83,21 +117,21 @@ Preview previewOf(const Scene& real, const std::function<Scene(const std::vector
     } catch (const InputError&) {
         preview.scene = load(changes);  // something in it is too thin for larger particles
     }
+    preview.steps = stepTime(real) / stepTime(preview.scene);
     return preview;
 }
 
 double estimatedSeconds(const Preview& preview, const RunFigures& figures, uint64_t stride)
 {
     const Scene& rough = preview.scene;
-    const double particles = static_cast<double>(preview.particles) /
-                             static_cast<double>(std::max<size_t>(rough.world.particles.size(), 1));
     const double pixels = static_cast<double>(preview.width) * preview.height /
                           (static_cast<double>(rough.render.width) * rough.render.height);
     const double frames = static_cast<double>(preview.stride) / static_cast<double>(stride);
-    const double simulating = figures.simulationSeconds, drawing = figures.drawing.seconds;
-    // Both may go on at once: then they do in the real one.
-    return figures.totalSeconds * (simulating * particles + drawing * pixels * frames) /
-           std::max(simulating + drawing, 1e-9);
+    const double simulating = (figures.simulationSeconds - figures.warm.simulationSeconds) * preview.steps;
+    const double drawing = (figures.drawing.seconds - figures.drawing.firstSeconds) * pixels * frames;
+    // What goes on at once here does so in the real one.
+    const double both = figures.driverThreads.drawAside ? std::max(simulating, drawing) : simulating + drawing;
+    return figures.warm.totalSeconds + both;
 }
 
 void checkOptions(const RenderOptions& options, const FilmOptions& film)
@@ -121,6 +155,8 @@ void requireOneScene(const RenderOptions& options)
         options.film.checkpoint.seconds)
         throw InputError("several scenes: --export, --record, --save-state, --stats, --from, --checkpoint and --resume "
                          "are for one at a time; leave them out, or call knuckle for each");
+    if (std::ranges::any_of(options.cameras, namesOutput))
+        throw InputError("several scenes: --camera NAME=OUTPUT is for one at a time; give --camera NAME alone");
     if (options.outputs.size() > 1 ||
         (options.outputs.size() == 1 && (isFilm(options.outputs[0]) || FrameNames::areGivenBy(options.outputs[0]))))
         throw InputError(fmt::format("-o {}: several scenes want a folder, in which each gets one of its own",

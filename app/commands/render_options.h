@@ -14,11 +14,11 @@ namespace knuckle {
 struct RenderOptions {
     std::vector<std::string> scenes;
     std::string scene;  ///< The one that is rendered now.
-    std::string frames, size, quality, framesPerSecond, camera, from, resume;
+    std::string frames, size, quality, framesPerSecond, from, resume;
     bool turntable = false, preview = false;
     uint64_t stride = 1;
     std::string labels;  ///< With commas between them.
-    std::vector<std::string> outputs, captions, sets, exports, records;
+    std::vector<std::string> outputs, cameras, captions, sets, exports, records;
     FilmOptions film;
 };
 
@@ -28,8 +28,11 @@ std::vector<Override> overridesOf(const RenderOptions& options);
 /// @throws InputError.
 RecordOptions recordOptions(const RenderOptions& options);
 
+/// Adds the outputs: of the scene's own shots, and of cameras. @throws InputError.
+void addOutputs(FilmOptions& film, const RenderOptions& options);
+
 /// What of it changes only pictures: captions, and as many bits as an output wants. @throws InputError.
-void changePicture(Scene& scene, const RenderOptions& options);
+void changePicture(Scene& scene, const RenderOptions& options, const FilmOptions& film);
 
 /// A rough scene instead of one: larger particles where it allows them, a smaller picture, few frames.
 struct Preview {
@@ -37,6 +40,7 @@ struct Preview {
     uint64_t stride = 1;
     size_t particles = 0;  ///< Of the real one.
     uint32_t width = 0, height = 0;
+    double steps = 1.0;  ///< Time of a frame's steps in the real one, over that here.
 };
 
 /// @param load loads the scene with overrides behind its own.

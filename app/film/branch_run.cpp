@@ -31,8 +31,8 @@ void reach(const Branch& branch, Solver& solver, const std::function<void(uint64
 
 void beginBranch(const Branch& branch, Gpu& gpu, const Scene& scene, Solver& solver, FrameDrawing* drawing)
 {
-    const bool keepsCamera = drawing != nullptr && branch.keepsCamera && branch.state.renderer.has_value();
-    if (keepsCamera) drawing->loadState(*branch.state.renderer);
+    const bool keepsCamera = drawing != nullptr && branch.keepsCamera && !branch.state.cameras.empty();
+    if (keepsCamera) drawing->loadState(branch.state.cameras);
     if (!branch.other) {
         reach(branch, solver, [&](uint64_t frame) {
             if (!keepsCamera) return;

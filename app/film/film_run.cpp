@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "app/export/frame_export.h"
@@ -30,7 +29,7 @@ class FilmRun {
 public:
     FilmRun(const Scene& scene, const FilmOptions& options, const CommonOptions& common, Exporters exporters)
         : scene_(scene), options_(options), begin_(options.branch ? options.branch->frame : 1),
-          range_(options.frames.of(scene, begin_)), checkpoint_(openCheckpoint()),
+          range_(options.frames.of(scene, begin_)), views_(viewsOf(scene, options)), checkpoint_(openCheckpoint()),
           outputs_(scene, options, range_, std::move(exporters), checkpoint_.get()), gpu_(openGpu(common, work())),
           solver_(*gpu_, options.branch ? options.branch->world(scene) : scene.world), steps_(*gpu_, scene, solver_),
           progress_("frame", range_.last, common.quiet), quiet_(common.quiet), done_(begin_ - 1)
@@ -54,7 +53,10 @@ public:
         for (uint64_t frame = done_ + 1; frame <= range_.last; ++frame) {
             if (frame > begin_) advance(frame);
             takeFrame(frame);
-            if (frame == done_ + WARM_UP) interrupt.emplace();
+            if (frame == done_ + WARM_UP) {
+                interrupt.emplace();
+                figures_.warm = {progress_.seconds(), figures_.simulationSeconds};
+            }
             const bool stopped = interrupt && interrupt->isSignalled();
             if (checkpoint_ && (stopped || frame == range_.last || checkpoint_->isDue())) saveCheckpoint(frame);
             if (stopped) {
@@ -99,7 +101,7 @@ private:
         try {
             solver_.loadState(state->solver);
             steps_.goOn(state->frame, state->between);
-            if (drawing_ && state->renderer) drawing_->loadState(*state->renderer);
+            if (drawing_) drawing_->loadState(state->cameras);
         } catch (const std::logic_error& error) {
             throw InputError(fmt::format("{}: cannot go on from the other run's state: {}; begin anew without --resume",
                                          checkpointPath(options_.outputs[0]), error.what()));
@@ -141,16 +143,15 @@ private:
     FrameWork work() const
     {
         const double drawn = outputs_.sinks.empty() ? 0.0 : static_cast<double>(range_.count());
-        const auto simulated = static_cast<double>(range_.last - begin_ + 1);
         return {stepWorkload(scene_.world) * scene_.stepsPerFrame,
-                drawingWorkload(scene_.render) * (drawn / simulated)};
+                drawingWorkload(views_) * (drawn / static_cast<double>(range_.last - begin_ + 1))};
     }
 
     std::unique_ptr<FrameDrawing> openDrawing(bool timed)
     {
         if (options_.drawAside.value_or(gpu_->threads().drawAside))
-            return std::make_unique<DrawingThread>(*gpu_, scene_, outputs_.sinks, timed);
-        return std::make_unique<DrawingHere>(*gpu_, scene_, outputs_.sinks, timed);
+            return std::make_unique<DrawingThread>(*gpu_, scene_, views_, outputs_.sinks, timed);
+        return std::make_unique<DrawingHere>(*gpu_, scene_, views_, outputs_.sinks, timed);
     }
 
     /// With --stats, simulating and drawing are timed separately, so each must end before the other begins. Otherwise
@@ -237,7 +238,7 @@ private:
     RunState saveState(uint64_t frame)
     {
         RunState state{.frame = frame, .solver = solver_.saveState(), .between = steps_.saveState()};
-        if (drawing_) state.renderer = drawing_->saveState();
+        if (drawing_) state.cameras = drawing_->saveState();
         return state;
     }
 
@@ -253,6 +254,7 @@ private:
     const FilmOptions& options_;
     uint64_t begin_;  ///< The scene's first frame.
     FrameRange range_;
+    std::vector<FilmView> views_;
     std::unique_ptr<Checkpoint> checkpoint_;
     FilmOutputs outputs_;
     std::unique_ptr<Gpu> gpu_;

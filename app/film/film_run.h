@@ -20,6 +20,7 @@ namespace knuckle {
 /// Options of `knuckle render` apart from the scene.
 struct FilmOptions {
     std::vector<std::string> outputs;  ///< Folders or names for frames, and films.
+    std::vector<std::string> cameras;  ///< Of the outputs, by name; empty, or too few: the scene's own shots.
     std::string codec, pipe;           ///< As of FilmFormat.
     FrameRange frames;
     int quality = DEFAULT_QUALITY;  ///< Of JPEG.

@@ -4,6 +4,13 @@
 
 namespace knuckle {
 
+namespace {
+
+/// Steps of a frame after which it is checked whether any has to be taken again.
+constexpr uint64_t CHECKED_STEPS = 16;
+
+}  // namespace
+
 FilmSteps::FilmSteps(const Gpu& gpu, const Scene& scene, Solver& solver) : scene_(scene), solver_(solver)
 {
     if (!scene.clock.isEven() || scene.render.shutter > 0.0f)
@@ -42,7 +49,8 @@ void FilmSteps::advance(uint64_t frame, const std::function<void()>& step, const
             between_->begin(solver_.view());
         }
         step();
-        if (shows) solver_.checkCounters(frame);
+        const bool isMany = (taken + 1 - place_.steps) % CHECKED_STEPS == 0;  // few have to be taken again
+        if (shows || isMany) solver_.checkCounters(frame);
         showUpTo(taken + 1);
     }
     place_ = next;

@@ -12,7 +12,7 @@
 namespace knuckle {
 
 /// Brings a solver from frame to frame of a film, and shows the state that each frame is of: after a step, or between
-/// two in slow motion.
+/// two in slow and fast motion.
 class FilmSteps {
 public:
     /// @param scene, solver must outlive it.
@@ -42,7 +42,7 @@ private:
     const Scene& scene_;
     Solver& solver_;
     FramePlace place_;
-    std::unique_ptr<BetweenSteps> between_;  ///< Null in a film without slow motion and shutter.
+    std::unique_ptr<BetweenSteps> between_;  ///< Null in a film at full speed without a shutter.
 };
 
 }  // namespace knuckle

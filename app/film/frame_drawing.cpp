@@ -1,44 +1,119 @@
 #include "app/film/frame_drawing.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/run/stopwatch.h"
 
 namespace knuckle {
 
-DrawingHere::DrawingHere(Gpu& gpu, const Scene& scene, const FrameSinks& sinks, bool timed)
-    : gpu_(gpu), sinks_(sinks), draws_(drawsOf(scene.render)), renderer_(gpu, scene.world, scene.render)
+namespace {
+
+using PassTotals = std::vector<std::pair<std::string, KernelTimer::Total>>;
+
+/// Adds what the passes of one view took to those of the others.
+void addTotals(const PassTotals& own, PassTotals& all)
 {
-    if (timed) renderer_.timer().enable(gpu);
+    for (const auto& [name, total] : own) {
+        const auto found = std::ranges::find(all, name, &PassTotals::value_type::first);
+        if (found == all.end()) {
+            all.emplace_back(name, total);
+            continue;
+        }
+        found->second.milliseconds += total.milliseconds;
+        found->second.count += total.count;
+    }
+}
+
+/// Of all views, for what is copied of a state.
+std::vector<RenderSettings> shownBy(const std::vector<FilmView>& views)
+{
+    std::vector<RenderSettings> pictures;
+    for (const FilmView& view : views) pictures.push_back(view.picture);
+    return pictures;
+}
+
+}  // namespace
+
+DrawingHere::View::View(Gpu& gpu, const World& world, const FilmView& view)
+    : camera(view.camera), draws(drawsOf(view.picture)), renderer(gpu, world, view.picture)
+{
+}
+
+DrawingHere::DrawingHere(Gpu& gpu, const Scene& scene, const std::vector<FilmView>& views, const FrameSinks& sinks,
+                         bool timed)
+    : gpu_(gpu)
+{
+    for (const FilmView& view : views) {
+        View& own = *views_.emplace_back(std::make_unique<View>(gpu, scene.world, view));
+        for (const size_t output : view.outputs) own.sinks.push_back(sinks.at(output).get());
+        if (timed) own.renderer.timer().enable(gpu);
+    }
+}
+
+bool DrawingHere::take(View& own, const ParticleView& view, const Frame& frame)
+{
+    const auto wants = [&](FrameSink* sink) { return sink->wants(frame.number); };
+    if (!frame.drawn || std::ranges::none_of(own.sinks, wants)) {
+        own.renderer.look(view, frame.time);
+        return false;
+    }
+    if (frame.draw) own.renderer.expose(view, frame.time, *frame.draw);
+    else own.renderer.draw(view, frame.time);
+    if (frame.draw && *frame.draw + 1 < own.draws) return false;
+    own.unread = frame;
+    return true;
 }
 
 void DrawingHere::take(const ParticleView& view, const Frame& frame)
 {
-    if (!frame.drawn) return renderer_.look(view, frame.time);
     const Stopwatch watch(figures_.seconds);
-    if (frame.draw) renderer_.expose(view, frame.time, *frame.draw);
-    else renderer_.draw(view, frame.time);
-    if (frame.draw && *frame.draw + 1 < draws_) return;
-    unread_ = frame;
-    ++figures_.frames;
+    bool finished = false;
+    for (const auto& own : views_) finished = take(*own, view, frame) || finished;
+    if (finished) ++figures_.frames;
 }
 
 void DrawingHere::fetch()
 {
-    if (!unread_) return;
-    const Stopwatch watch(figures_.seconds);
-    Image image = renderer_.readImage();
-    image.text = std::move(unread_->labels);
-    renderer_.timer().collect();
-    figures_.passes = renderer_.timer().totals();
-    gpu_.checkErrors();
-    for (const auto& sink : sinks_)
-        if (sink->wants(unread_->number)) sink->write(image, unread_->number);
-    unread_.reset();
+    const auto isUnread = [](const auto& own) { return own->unread.has_value(); };
+    if (std::ranges::none_of(views_, isUnread)) return;
+    {
+        const Stopwatch watch(figures_.seconds);
+        figures_.passes.clear();
+        for (const auto& own : views_) fetch(*own);
+    }
+    if (figures_.frames == 1) figures_.firstSeconds = figures_.seconds;
 }
 
-DrawingThread::DrawingThread(const Gpu& gpu, const Scene& scene, const FrameSinks& sinks, bool timed)
-    : snapshots_{FrameSnapshot(scene.world, scene.render), FrameSnapshot(scene.world, scene.render)},
+void DrawingHere::fetch(View& own)
+{
+    own.renderer.timer().collect();
+    addTotals(own.renderer.timer().totals(), figures_.passes);
+    if (!own.unread) return;
+    Image image = own.renderer.readImage();
+    image.text = std::move(own.unread->labels);
+    gpu_.checkErrors();
+    for (FrameSink* sink : own.sinks)
+        if (sink->wants(own.unread->number)) sink->write(image, own.unread->number);
+    own.unread.reset();
+}
+
+CameraStates DrawingHere::saveState()
+{
+    CameraStates states;
+    for (const auto& own : views_) states[own->camera] = own->renderer.saveState();
+    return states;
+}
+
+void DrawingHere::loadState(const CameraStates& states)
+{
+    for (const auto& own : views_)
+        if (const auto state = states.find(own->camera); state != states.end()) own->renderer.loadState(state->second);
+}
+
+DrawingThread::DrawingThread(const Gpu& gpu, const Scene& scene, const std::vector<FilmView>& views,
+                             const FrameSinks& sinks, bool timed)
+    : snapshots_{FrameSnapshot(scene.world, shownBy(views)), FrameSnapshot(scene.world, shownBy(views))},
       thread_(SNAPSHOTS, [this] {
           drawing_.reset();
           gpu_.reset();
@@ -46,7 +121,7 @@ DrawingThread::DrawingThread(const Gpu& gpu, const Scene& scene, const FrameSink
 {
     thread_.push([&, this] {
         gpu_ = Gpu::sharingWith(gpu);
-        drawing_ = std::make_unique<DrawingHere>(*gpu_, scene, sinks, timed);
+        drawing_ = std::make_unique<DrawingHere>(*gpu_, scene, views, sinks, timed);
     });
     thread_.drain();
 }
@@ -64,17 +139,17 @@ void DrawingThread::take(const ParticleView& view, const Frame& frame)
     });
 }
 
-RendererState DrawingThread::saveState()
+CameraStates DrawingThread::saveState()
 {
-    RendererState state;
-    thread_.push([&] { state = drawing_->saveState(); });
+    CameraStates states;
+    thread_.push([&] { states = drawing_->saveState(); });
     thread_.drain();
-    return state;
+    return states;
 }
 
-void DrawingThread::loadState(const RendererState& state)
+void DrawingThread::loadState(const CameraStates& states)
 {
-    thread_.push([&] { drawing_->loadState(state); });
+    thread_.push([&] { drawing_->loadState(states); });
     thread_.drain();
 }
 

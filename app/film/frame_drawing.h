@@ -6,8 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "app/film/film_views.h"
 #include "app/film/run_figures.h"
 #include "app/scene/scene_file.h"
+#include "app/states/run_state.h"
 #include "render/frame_snapshot.h"
 #include "render/output/frame_sink.h"
 #include "render/output/task_thread.h"
@@ -25,7 +27,7 @@ struct Frame {
 
 using FrameSinks = std::vector<std::unique_ptr<FrameSink>>;
 
-/// Draws a film's frames and hands their pictures to its sinks.
+/// Draws the frames of all views of a run and hands their pictures to the views' sinks.
 class FrameDrawing {
 public:
     virtual ~FrameDrawing() = default;
@@ -36,30 +38,41 @@ public:
     virtual void wait() = 0;
     /// After wait().
     virtual const DrawingFigures& figures() const = 0;
-    /// What the renderer carries on after the last frame taken; waits for it.
-    virtual RendererState saveState() = 0;
-    /// @throws std::logic_error as Renderer::loadState().
-    virtual void loadState(const RendererState& state) = 0;
+    /// What the renderers carry on after the last frame taken; waits for it.
+    virtual CameraStates saveState() = 0;
+    /// Of those views that have one. @throws std::logic_error as Renderer::loadState().
+    virtual void loadState(const CameraStates& states) = 0;
 };
 
 /// Draws on the thread that made it, which also simulates.
 class DrawingHere : public FrameDrawing {
 public:
-    /// @param timed: every pass, see DrawingFigures. @throws what Renderer throws.
-    DrawingHere(Gpu& gpu, const Scene& scene, const FrameSinks& sinks, bool timed);
+    /// @param sinks of all outputs, as views name them. @param timed: every pass, see DrawingFigures.
+    /// @throws what Renderer throws.
+    DrawingHere(Gpu& gpu, const Scene& scene, const std::vector<FilmView>& views, const FrameSinks& sinks, bool timed);
     void take(const ParticleView& view, const Frame& frame) override;
     void fetch() override;
     void wait() override { fetch(); }
     const DrawingFigures& figures() const override { return figures_; }
-    RendererState saveState() override { return renderer_.saveState(); }
-    void loadState(const RendererState& state) override { renderer_.loadState(state); }
+    CameraStates saveState() override;
+    void loadState(const CameraStates& states) override;
 
 private:
+    struct View {
+        View(Gpu& gpu, const World& world, const FilmView& view);
+
+        std::string camera;
+        std::vector<FrameSink*> sinks = {};
+        uint32_t draws;  ///< Of a frame.
+        Renderer renderer;
+        std::optional<Frame> unread = {};  ///< The frame drawn last.
+    };
+    /// @returns whether a picture is finished.
+    static bool take(View& own, const ParticleView& view, const Frame& frame);
+    void fetch(View& own);
+
     Gpu& gpu_;
-    const FrameSinks& sinks_;
-    uint32_t draws_;  ///< Of a frame.
-    Renderer renderer_;
-    std::optional<Frame> unread_;  ///< The frame drawn last.
+    std::vector<std::unique_ptr<View>> views_;
     DrawingFigures figures_;
 };
 
@@ -68,14 +81,15 @@ private:
 class DrawingThread : public FrameDrawing {
 public:
     /// Waits until the thread can draw. @throws as DrawingHere, and DeviceError if there is no second context.
-    DrawingThread(const Gpu& gpu, const Scene& scene, const FrameSinks& sinks, bool timed);
+    DrawingThread(const Gpu& gpu, const Scene& scene, const std::vector<FilmView>& views, const FrameSinks& sinks,
+                  bool timed);
     /// Copies the state; waits for the frame before the last.
     void take(const ParticleView& view, const Frame& frame) override;
     void fetch() override {}
     void wait() override { thread_.drain(); }
     const DrawingFigures& figures() const override { return drawing_->figures(); }
-    RendererState saveState() override;
-    void loadState(const RendererState& state) override;
+    CameraStates saveState() override;
+    void loadState(const CameraStates& states) override;
 
 private:
     /// One is drawn, the next one waits.

@@ -77,14 +77,15 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
                                      states.path()));
     const std::vector<uint64_t> frames = chosenFrames(states, options.frames);
     const FrameRange range{frames.front(), frames.back(), options.frames.stride};
+    const std::vector<FilmView> views = viewsOf(scene, options);
     const FilmOutputs outputs(scene, options, range, std::move(exporters));
-    const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(scene.render)});
+    const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(views)});
     StoredView stored(scene.world);
     const RunFacts facts = outputs.hasLabels() ? factsOf(scene, *gpu, options.source) : RunFacts();
-    DrawingHere drawing(*gpu, scene, outputs.sinks, false);
+    DrawingHere drawing(*gpu, scene, views, outputs.sinks, false);
     const uint64_t begin = states.frames().front();
     if (hasState(states.blocks(), begin) && haveSameCamera(scene, states.facts()))
-        if (const auto seen = unpackState(states.blocks(), begin).renderer) drawing.loadState(*seen);
+        drawing.loadState(unpackState(states.blocks(), begin).cameras);
     const ViewCoding coding(scene.world);
     Progress progress("frame", frames.size(), common.quiet);
     const InterruptGuard interrupt;

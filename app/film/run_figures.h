@@ -16,6 +16,7 @@ namespace knuckle {
 struct DrawingFigures {
     uint64_t frames = 0;
     double seconds = 0.0;                                            ///< Wall-clock time on the thread that draws.
+    double firstSeconds = 0.0;                                       ///< Of that, up to the first frame.
     std::vector<std::pair<std::string, KernelTimer::Total>> passes;  ///< If they are timed.
 };
 
@@ -25,6 +26,10 @@ struct RunFigures {
     DriverThreads driverThreads;
     uint64_t frames = 0, steps = 0;
     double simulationSeconds = 0.0, totalSeconds = 0.0;
+    /// The same until all shaders were compiled.
+    struct {
+        double totalSeconds = 0.0, simulationSeconds = 0.0;
+    } warm = {};
     DrawingFigures drawing;
     std::vector<ReleaseFigures> releases;
 };

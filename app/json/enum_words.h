@@ -39,6 +39,10 @@ struct EnumWords<CameraKind> {
     static constexpr std::array WORDS{"fixed", "orbit", "follow"};
 };
 template <>
+struct EnumWords<Corner> {
+    static constexpr std::array WORDS{"topLeft", "topRight", "bottomLeft", "bottomRight"};
+};
+template <>
 struct EnumWords<Easing> {
     static constexpr std::array WORDS{"smooth", "linear", "easeIn", "easeOut", "easeInOut", "hold"};
 };

@@ -27,7 +27,7 @@ struct SceneContext {
     std::string path;  ///< Of the scene file.
     WorldBuilder& builder;
     SceneFiles& files;
-    double duration = 0.0;                                              ///< Of the film [s].
+    double duration = 0.0;                                              ///< Of what is simulated [s].
     std::map<std::string, uint32_t> materials = {};                     ///< Indices by name.
     std::map<std::string, std::shared_ptr<const SkinMesh>> skins = {};  ///< By SceneFiles::actorKey().
     std::map<std::string, uint32_t> clips = {};                         ///< Indices by actor, file and name.

@@ -103,6 +103,11 @@ uint64_t Scene::frameCount() const
     return static_cast<uint64_t>(std::max(1.0, std::round(duration * framesPerSecond)));
 }
 
+double Scene::simulatedSeconds() const
+{
+    return static_cast<double>(clock.at(frameCount()).steps) / (framesPerSecond * stepsPerFrame);
+}
+
 uint32_t stepsForFrame(double framesPerSecond, double timeStep)
 {
     const double frame = 1.0 / framesPerSecond;
@@ -113,6 +118,15 @@ uint32_t stepsForFrame(double framesPerSecond, double timeStep)
 
 namespace {
 
+FilmClock clockOf(const Json& root, uint32_t stepsPerFrame)
+{
+    std::vector<Shot> shots;
+    for (const Json& shot : root["shots"]) shots.push_back({.from = shot["from"], .timeScale = shot["timeScale"]});
+    // What is out of order is told with the cameras.
+    if (!std::ranges::is_sorted(shots, {}, &Shot::from)) shots.clear();
+    return FilmClock(root["fps"], stepsPerFrame, shots);
+}
+
 Scene sceneOf(const SceneDocument& document, bool drawn)
 {
     const Json& root = document.file.root;
@@ -120,6 +134,7 @@ Scene sceneOf(const SceneDocument& document, bool drawn)
     Scene scene = headingOf(document);
     Settings settings = readFields<Settings>(root["solver"]);
     scene.stepsPerFrame = stepsForFrame(scene.framesPerSecond, settings.timeStep);
+    scene.clock = clockOf(root, scene.stepsPerFrame);
     settings.timeStep = static_cast<float>(1.0 / (scene.framesPerSecond * scene.stepsPerFrame));
 
     SceneFiles files(path, settings.solver == SolverKind::Impulse);
@@ -130,7 +145,7 @@ Scene sceneOf(const SceneDocument& document, bool drawn)
     WorldBuilder builder(0.5f * (finest ? finest->diameter : root["diameter"].get<float>()), settings);
     builder.setFluidSpacing(root["fluidSpacing"]);
 
-    SceneContext context{path, builder, files, scene.duration};
+    SceneContext context{path, builder, files, std::max(scene.duration, scene.simulatedSeconds())};
     if (finest)
         context.notes.push_back(fmt::format("/diameter is {:.3g} m, as fits {}.", finest->diameter, finest->file));
     addMaterials(context, root["materials"]);
@@ -149,7 +164,6 @@ Scene sceneOf(const SceneDocument& document, bool drawn)
                         scene.world.settings.substeps));
     for (std::string& limit : softLimits(scene.world)) context.warnings.push_back(std::move(limit));
     scene.render = readPicture(document.file, scene.world, namedParticles(context, scene.world), files);
-    scene.clock = FilmClock(scene.framesPerSecond, scene.stepsPerFrame, scene.render.shots);
     scene.files = filesOf(context);
     if (root.contains("start")) {
         scene.start = {files.beside(root["start"]["from"]), root["start"]["frame"]};
@@ -171,10 +185,7 @@ Scene loadScene(const std::string& path, const std::vector<Override>& overrides,
 
 FilmClock storedClock(const std::string& path, const std::string& document, uint32_t stepsPerFrame)
 {
-    const Json root = storedSceneDocument(path, document).file.root;
-    std::vector<Shot> shots;
-    for (const Json& shot : root["shots"]) shots.push_back({.from = shot["from"], .timeScale = shot["timeScale"]});
-    return FilmClock(root["fps"], stepsPerFrame, shots);
+    return clockOf(storedSceneDocument(path, document).file.root, stepsPerFrame);
 }
 
 Scene loadStoredScene(const std::string& path, const std::string& document)

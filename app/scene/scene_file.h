@@ -45,10 +45,12 @@ struct Scene {
     std::vector<std::string> warnings;  ///< Things not drawn as the file says: a run prints these, too.
     uint64_t documentHash = 0;          ///< Of the file with all defaults, except `duration` and `description`.
     uint32_t stepsPerFrame = 1;         ///< World::settings.timeStep is 1 / (framesPerSecond * stepsPerFrame).
-    FilmClock clock;                    ///< How many of them a frame takes, where there is slow motion.
+    FilmClock clock;                    ///< How many of them a frame takes, where there is slow or fast motion.
 
     /// Frame 1 shows time 0.
     uint64_t frameCount() const;
+    /// Time that passes in the simulation up to the last frame [s].
+    double simulatedSeconds() const;
     /// Of the film [s].
     double timeOf(uint64_t frame) const { return static_cast<double>(frame - 1) / framesPerSecond; }
 };

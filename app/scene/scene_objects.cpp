@@ -76,6 +76,34 @@ float releaseTime(const Entry& entry, bool held)
     return time;
 }
 
+/// How a body is let go that is `fixed` until then.
+struct Throw {
+    Vector3f velocity{0, 0, 0}, spin{0, 0, 0};
+    bool appears = false;
+    const char* given = nullptr;  ///< A field that asks for it; null: none does.
+};
+
+Throw readThrow(const Json& release)
+{
+    Throw thrown;
+    readValue(release["velocity"], thrown.velocity);
+    readValue(release["spin"], thrown.spin);
+    thrown.appears = release["appears"];
+    if (thrown.appears) thrown.given = "/release/appears";
+    if (thrown.spin != Vector3f::Zero()) thrown.given = "/release/spin";
+    if (thrown.velocity != Vector3f::Zero()) thrown.given = "/release/velocity";
+    return thrown;
+}
+
+/// Of a rigid object. @throws InputError where it is not `fixed` until a time.
+Throw throwOf(const Entry& entry, bool held, float time)
+{
+    const Throw thrown = readThrow(entry.json["release"]);
+    if (thrown.given != nullptr && (!held || std::isinf(time)))
+        entry.fail(thrown.given, "is for what is `fixed` until the release's `time`; give both, or take it away");
+    return thrown;
+}
+
 void addRigidOrSoft(const Entry& entry)
 {
     WorldBuilder& builder = entry.context.builder;
@@ -93,6 +121,7 @@ void addRigidOrSoft(const Entry& entry)
     const bool held = entry.json["fixed"];
     const bool moved = hasMotion(entry.json);
     const float time = soft ? 0.0f : releaseTime(entry, held || moved);
+    const Throw thrown = soft ? Throw() : throwOf(entry, held, time);
     const ClipPlay motion = moved ? readObjectMotion(entry) : ClipPlay();
     std::vector<uint32_t> objects;
     for (size_t copy = 0; copy < entry.poses.size(); ++copy) {
@@ -105,6 +134,7 @@ void addRigidOrSoft(const Entry& entry)
             const uint32_t body = builder.addBody("body", positions, entry.material, Motion::Dynamic, surface,
                                                   roundShapeOf(entry));
             if (held) builder.holdBody(body, time + delay);
+            if (thrown.given != nullptr) builder.throwBody(body, thrown.velocity, thrown.spin, thrown.appears);
             if (drawsShape) builder.drawShape(body, shape);
         }
         const uint32_t object = builder.endObject(entry.poses[copy], entry.velocity, entry.spin);
@@ -164,6 +194,8 @@ void addJoined(const Entry& entry)
     std::vector<JointType> types;
     for (const Json& type : json["joints"]) types.push_back(valueOf<JointType>(type.get<std::string>()));
     requireLimits(entry.context.path, entry.pointer + "/limits", common.limits, types);
+    if (const Throw thrown = readThrow(json["release"]); thrown.given != nullptr)
+        entry.fail(thrown.given, "is for an object of type \"rigid\"; take it away");
     if (std::isfinite(releaseTime(entry, json["hold"] != "none")) && json["hold"] == "both" && common.limits.any())
         entry.fail("/release", "a chain that is held at both ends and has limits is a loop, and cannot be let go; hold "
                                "one end, or take the limits away");

@@ -25,6 +25,12 @@ std::string cameraBlock(uint64_t frame, std::string_view part)
     return fmt::format("camera {}/{}", frame, part);
 }
 
+/// Begins the names of a renderer's buffers. @param index among the cameras.
+std::string rendererPart(size_t index)
+{
+    return index == 0 ? std::string(RENDERER) : fmt::format("renderer {}/", index);
+}
+
 /// @param folder begins the names of the blocks.
 void packBuffers(const std::string& folder, const BufferState& buffers, std::vector<std::string>& blocks)
 {
@@ -61,13 +67,18 @@ std::vector<uint64_t> numbersOf(const BlockReader& file, std::string_view word, 
 
 std::vector<std::string> packState(const RunState& state)
 {
-    Json about = {{"started", state.solver.started}, {"drawn", state.renderer.has_value()}};
-    if (state.renderer && state.renderer->lookedAt) about["lookedAt"] = *state.renderer->lookedAt;
+    Json about = {{"started", state.solver.started}, {"cameras", Json::array()}};
+    for (const auto& [name, camera] : state.cameras) {
+        Json& own = about["cameras"].emplace_back(Json{{"name", name}});
+        if (camera.lookedAt) own["lookedAt"] = *camera.lookedAt;
+    }
     std::vector<std::string> blocks{
         packText(stateBlock(state.frame, "about"), about.dump()),
         packArray(stateBlock(state.frame, "parameters"), std::span(&state.solver.stages.parameters, 1))};
     packBuffers(stateBlock(state.frame, SOLVER), state.solver.stages.buffers, blocks);
-    if (state.renderer) packBuffers(stateBlock(state.frame, RENDERER), state.renderer->buffers, blocks);
+    size_t index = 0;
+    for (const auto& [name, camera] : state.cameras)
+        packBuffers(stateBlock(state.frame, rendererPart(index++)), camera.buffers, blocks);
     if (state.between) packBuffers(stateBlock(state.frame, BETWEEN), *state.between, blocks);
     return blocks;
 }
@@ -96,10 +107,12 @@ RunState unpackState(const BlockReader& file, uint64_t frame)
     state.solver.stages.buffers = unpackBuffers(file, stateBlock(frame, SOLVER));
     BufferState between = unpackBuffers(file, stateBlock(frame, BETWEEN));
     if (!between.empty()) state.between = std::move(between);
-    if (!about.value("drawn", false)) return state;
-    state.renderer.emplace();
-    if (about.contains("lookedAt")) state.renderer->lookedAt = about["lookedAt"].get<double>();
-    state.renderer->buffers = unpackBuffers(file, stateBlock(frame, RENDERER));
+    size_t index = 0;
+    for (const Json& own : about.value("cameras", Json::array())) {
+        RendererState& camera = state.cameras[own.value("name", "")];
+        if (own.contains("lookedAt")) camera.lookedAt = own["lookedAt"].get<double>();
+        camera.buffers = unpackBuffers(file, stateBlock(frame, rendererPart(index++)));
+    }
     return state;
 }
 

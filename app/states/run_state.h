@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,12 +11,15 @@
 
 namespace knuckle {
 
+/// What the renderers of a run's views carry on, by the names of their cameras; "": of the scene's own shots.
+using CameraStates = std::map<std::string, RendererState>;
+
 /// All that a run carries on from a frame to the next.
 struct RunState {
     uint64_t frame = 1;  ///< The frame that shows it.
     SolverState solver;
-    std::optional<RendererState> renderer = {};  ///< None: nothing was drawn.
-    std::optional<BufferState> between = {};     ///< What is drawn before the last step; none: the frame is after it.
+    CameraStates cameras = {};                ///< Empty: nothing was drawn.
+    std::optional<BufferState> between = {};  ///< What is drawn before the last step; none: the frame is after it.
 };
 
 /// Blocks "state N/...".

@@ -69,4 +69,33 @@ std::vector<gpu::vec4> cameraPlanes(const World& world)
     return planes;
 }
 
+CameraSolids cameraSolids(const World& world)
+{
+    CameraSolids all;
+    std::vector<uint32_t> first;
+    for (const ColliderGrid& grid : world.colliderGrids) {
+        first.push_back(static_cast<uint32_t>(all.grids.size()));
+        all.grids.insert(all.grids.end(), grid.values.begin(), grid.values.end());
+    }
+    for (uint32_t i = 0; i < world.colliders.size(); ++i) {
+        const Collider& c = world.colliders[i];
+        if (c.shape == ColliderShape::Plane || !c.visible) continue;
+        gpu::CameraSolid solid{};
+        if (c.shape == ColliderShape::Box) solid.extents = {c.halfExtents.x(), c.halfExtents.y(), c.halfExtents.z(), 0};
+        if (c.shape == ColliderShape::Sphere) solid.extents = {0, 0, 0, c.radius};
+        if (c.shape == ColliderShape::Capsule) solid.extents = {0, c.halfHeight, 0, c.radius};
+        solid.low.w = static_cast<float>(i);
+        solid.cell = {1, 1, 1, static_cast<float>(c.shape)};
+        if (c.grid != NO_INDEX) {
+            const ColliderGrid& grid = world.colliderGrids[c.grid];
+            const Eigen::Matrix<uint32_t, 3, 1> counts = grid.counts.cast<uint32_t>();
+            solid.low = {grid.low.x(), grid.low.y(), grid.low.z(), solid.low.w};
+            solid.cell = {grid.cell.x(), grid.cell.y(), grid.cell.z(), solid.cell.w};
+            solid.grid = {counts.x(), counts.y(), counts.z(), first[c.grid]};
+        }
+        all.solids.push_back(solid);
+    }
+    return all;
+}
+
 }  // namespace knuckle

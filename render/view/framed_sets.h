@@ -5,7 +5,7 @@
 
 #include "render/settings.h"
 #include "render/view/camera.h"
-#include "shared/vector_types.h"
+#include "shared/frame_types.h"
 #include "sim/world/world.h"
 
 namespace knuckle {
@@ -27,5 +27,12 @@ std::vector<Camera> camerasOf(const std::vector<Shot>& shots, const World& world
 
 /// Per plane that is seen and stands still: its unit normal, and its offset along it [m].
 std::vector<gpu::vec4> cameraPlanes(const World& world);
+
+/// Colliders with an inside that are seen, and the grids of those that have one.
+struct CameraSolids {
+    std::vector<gpu::CameraSolid> solids;
+    std::vector<float> grids;
+};
+CameraSolids cameraSolids(const World& world);
 
 }  // namespace knuckle

@@ -2,7 +2,7 @@
 
 namespace knuckle {
 
-ViewPasses::ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen, bool hasFramed)
+ViewPasses::ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen, bool hasFramed, bool hasSolids)
 {
     Defines defines;
     if (hasUnseen) defines.push_back({"UNSEEN", "1"});
@@ -10,7 +10,8 @@ ViewPasses::ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen, bool 
     table.add(Lifetime::State, view_);  // for an automatic camera, whose place follows from its last one
     table.add(Lifetime::Scratch, boxes_);
     bounds_ = Kernel(gpu, table, "render/view/frame_bounds.comp", defines);
-    camera_ = Kernel(gpu, table, "render/view/frame_camera.comp");
+    const Defines ofCamera = hasSolids ? Defines{{"SOLIDS", "1"}} : Defines{};
+    camera_ = Kernel(gpu, table, "render/view/frame_camera.comp", ofCamera);
     fit_ = Kernel(gpu, table, "render/view/frame_view.comp");
 }
 

@@ -9,8 +9,9 @@ namespace knuckle {
 class ViewPasses {
 public:
     /// Adds "view" to the table, which must have "frame", "positions", "bodyCentres", "cameraPlanes" and, if particles
-    /// are unseen or framed, "unseenParticles" or "framedParticles".
-    ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen, bool hasFramed);
+    /// are unseen or framed, "unseenParticles" or "framedParticles"; with solids "colliderPlaces", "cameraSolids" and
+    /// "cameraGrids".
+    ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen, bool hasFramed, bool hasSolids);
     ViewPasses(const ViewPasses&) = delete;
     ViewPasses& operator=(const ViewPasses&) = delete;
 

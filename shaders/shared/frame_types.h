@@ -77,8 +77,8 @@ struct FrameInput {
     float frameShare;           // of the picture, that framed things may fill
     float focusDistance;        // along the camera's axis [m]; 0: what it looks at, or those of focusBit
     uint focusBit;              // of framedParticles: those whose middle is sharp; 0: none
-    float lensUnused0;
-    float lensUnused1;
+    uint cameraSolidCount;
+    float unused0;
 };
 
 // A moment between two steps.
@@ -130,6 +130,14 @@ struct FrameView {
     vec4 trackedLow;            // xyz [m]: what the camera shows or follows, smoothed; kept from frame to frame. Of
                                 // named particles: where it aims, w: its distance from there [m]
     vec4 trackedHigh;
+};
+
+// A collider with an inside, which holds off cameras that move by themselves.
+struct CameraSolid {
+    vec4 extents;               // xyz [m]: half the box that it is around, which has no size in a ball; w: radius [m]
+    vec4 low;                   // xyz [m]: of its grid; w: index of the collider
+    vec4 cell;                  // xyz [m]; w: COLLIDER_*
+    uvec4 grid;                 // xyz: values on each axis; w: the first of them in cameraGrids
 };
 
 // An obstacle as an instance attribute block; colliderPlaces says where it is.

@@ -171,9 +171,22 @@ void validateLinks(const World& world)
 
 void validateReleases(const World& world)
 {
+    for (const Strand& strand : world.strands)
+        for (const uint32_t p : strand.particles)
+            requireInput(world.particles[p].body == NO_INDEX || !world.bodies[world.particles[p].body].absent,
+                         "a rope or cloth is tied to what is not there before its release; take `appears` away");
+    for (const Joint& joint : world.joints)
+        for (const uint32_t b : {joint.parent, joint.child})
+            requireInput(b == NO_INDEX || !world.bodies[b].absent,
+                         "a joint holds \"{}\", which is not there before its release; take `appears` away",
+                         b == NO_INDEX ? "" : world.objects[world.bodies[b].object].name);
     for (const Body& body : world.bodies) {
         require(body.releaseTime >= 0.0f, "body \"{}\": it is let go at {} s; must be 0 or later", body.name,
                 body.releaseTime);
+        require(!isThrown(body) || (body.motion == Motion::Fixed && std::isfinite(body.releaseTime)),
+                "body \"{}\": it is thrown, but is not held until a time", body.name);
+        require(body.throwVelocity.allFinite() && body.throwSpin.allFinite(),
+                "body \"{}\": it is thrown at no finite velocity", body.name);
         requireInput((std::isinf(body.releaseTime) && !body.watched) || world.settings.solver == SolverKind::Impulse,
                      "the paper's solver lets nothing go; take `release` away, or use solver method impulse");
     }

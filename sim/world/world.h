@@ -111,6 +111,8 @@ struct Body {
     float releaseTime = std::numeric_limits<float>::infinity();  ///< If not dynamic, when it is let go [s], >= 0.
     bool watched = false;                                        ///< One of World::releases may let go of it before, or
                                                                  ///< a release after it was caught.
+    bool absent = false;                                  ///< Fixed only: nothing meets or sees it before it is let go.
+    Vector3f throwVelocity{0, 0, 0}, throwSpin{0, 0, 0};  ///< Fixed only: how it is let go [m/s], [rad/s].
     uint32_t material = 0;
     uint32_t assembly = NO_INDEX;
     uint32_t linkStart = 0, linkCount = 0;
@@ -236,6 +238,19 @@ inline bool mayBeLetGo(const Body& body)
 {
     return body.motion != Motion::Dynamic &&
            (body.watched || body.releaseTime < std::numeric_limits<float>::infinity());
+}
+
+/// Whether a held body is let go otherwise than from rest, where it is.
+inline bool isThrown(const Body& body)
+{
+    return body.absent || !body.throwVelocity.isZero(0) || !body.throwSpin.isZero(0);
+}
+
+/// Where an absent body waits, far from all others and above all planes that are not far up [m].
+inline Vector3f awayFrom(const World& world, const Body& body)
+{
+    constexpr float APART = 100.0f, UP = 1e5f;
+    return body.absent ? Vector3f(APART * static_cast<float>(&body - world.bodies.data()), UP, 0) : Vector3f::Zero();
 }
 
 /// Whether a body never answers to anything: joints and ropes are planned as if all other bodies always did.

@@ -31,6 +31,14 @@ TEST(SceneEmitters, APoolHasRoomForAllThatFlowsInTheFilm)
     EXPECT_FLOAT_EQ(world.particles[0].mass, 0.125f);
 }
 
+TEST(SceneEmitters, APoolHasRoomForAllThatFlowsInFastMotion)
+{
+    const World world = load(R"({ "duration": 1, "shots": [{ "from": 0, "timeScale": 4 }], "emitters": [
+        { "shape": "rectangle", "size": [0.2, 0.1], "speed": 1.5 }] })");
+    // 30 layers a second for 59 frames of 4/60 s, and one at the start.
+    EXPECT_EQ(world.emitters[0].pool, 8u * 119u);
+}
+
 TEST(SceneEmitters, PoolsStandBehindFluidsInTheOrderOfTheirEmitters)
 {
     const World world = load(R"({ "materials": { "oil": { "fluid": true, "density": 800 } },

@@ -27,6 +27,28 @@ TEST(SceneRelease, SaysUntilWhenWhatIsHeldStays)
     for (const uint32_t b : {0u, 4u}) EXPECT_EQ(chain.bodies[b].releaseTime, 0.5f);
 }
 
+TEST(SceneRelease, ThrowsWhatItSays)
+{
+    const World world = worldOf(R"({"type": "rigid", "shape": "box", "fixed": true, "velocity": [9, 9, 9], "release": {
+        "time": 2, "velocity": [1, 2, 3], "spin": [4, 5, 6], "appears": true}, "repeat": {"counts": [2, 1, 1]}})");
+    for (const Body& body : world.bodies) {
+        EXPECT_EQ(body.throwVelocity, Vector3f(1, 2, 3));
+        EXPECT_EQ(body.throwSpin, Vector3f(4, 5, 6));
+        EXPECT_TRUE(body.absent);
+    }
+    const World plain = worldOf(R"({"type": "rigid", "shape": "box", "fixed": true, "release": {"time": 2}})");
+    EXPECT_FALSE(isThrown(plain.bodies[0]));
+    EXPECT_EQ(complaintOf(R"({"type": "rigid", "shape": "box", "fixed": true, "release": {"velocity": [1, 0, 0]}})"),
+              "/objects/0/release/velocity: is for what is `fixed` until the release's `time`; give both, or take it "
+              "away");
+    EXPECT_EQ(complaintOf(R"({"type": "rigid", "shape": "box", "motion": {"keys": [{"time": 0}, {"time": 1}]},
+                              "release": {"time": 1, "appears": true}})"),
+              "/objects/0/release/appears: is for what is `fixed` until the release's `time`; give both, or take it "
+              "away");
+    EXPECT_EQ(complaintOf(R"({"type": "joined", "hold": "first", "release": {"time": 1, "spin": [1, 0, 0]}})"),
+              "/objects/0/release/spin: is for an object of type \"rigid\"; take it away");
+}
+
 TEST(SceneRelease, WithoutOneWhatIsHeldStaysForEver)
 {
     for (const char* object : {R"({"type": "rigid", "shape": "sphere", "radius": 0.2, "fixed": true})",

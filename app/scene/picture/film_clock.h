@@ -13,8 +13,8 @@ struct FramePlace {
     double part = 1.0;  ///< Above 0, up to 1: after the last step.
 };
 
-/// Which state each frame of a film shows. The simulation always takes the same steps; slow motion takes them at
-/// another pace, and stands between them where a frame does.
+/// Which state each frame of a film shows. The simulation always takes the same steps; slow and fast motion take them
+/// at another pace, and stand between them where a frame does.
 class FilmClock {
 public:
     FilmClock() = default;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "app/json/fields.h"
 #include "app/scene/picture/name_pattern.h"
@@ -153,17 +152,43 @@ const CameraSettings& namedCamera(const JsonFile& file, const Cameras& cameras, 
     failAt(file.path, pointer, fmt::format("there is no camera \"{}\"; {}", name, remedy));
 }
 
-/// The camera that films everything, instead of the shots' own.
-std::optional<CameraSettings> onlyCamera(const JsonFile& file, const Cameras& cameras)
+/// With those that every scene has.
+Cameras readNamed(const JsonFile& file, const CameraReader& reader)
 {
-    const std::string name = file.root["render"]["camera"];
-    if (name.empty()) return {};
-    if (name == AUTOMATIC) return CameraSettings{};
-    if (name != TURNTABLE) return namedCamera(file, cameras, name, "/render/camera");
+    Cameras cameras;
+    for (const auto& [name, json] : file.root["cameras"].items()) {
+        const std::string pointer = "/cameras/" + name;
+        if (name.empty() || name == AUTOMATIC || name == TURNTABLE || name.find('=') != std::string::npos)
+            failAt(file.path, pointer, fmt::format("\"{}\" is no name for a camera; choose another one", name));
+        cameras[name] = reader.read(json, pointer);
+    }
+    return cameras;
+}
+
+Cameras ofEveryScene(const JsonFile& file)
+{
     CameraSettings turntable;
     turntable.kind = CameraKind::Orbit;
     turntable.orbitSpeed = 360.0f / file.root["duration"].get<float>();
-    return turntable;
+    return {{AUTOMATIC, CameraSettings{}}, {TURNTABLE, turntable}};
+}
+
+/// The cameras of a shot.
+void chooseCameras(const JsonFile& file, const Cameras& cameras, const Json& json, const std::string& pointer,
+                   Shot& shot)
+{
+    const auto named = [&](const char* field, CameraSettings& camera) {
+        const std::string name = json[field];
+        if (!name.empty()) camera = namedCamera(file, cameras, name, fmt::format("{}/{}", pointer, field));
+        return !name.empty();
+    };
+    named("camera", shot.camera);
+    readValue(json["insetAt"], shot.insetAt);
+    if (named("inset", shot.other)) shot.layout = PictureLayout::Inset;
+    if (!named("beside", shot.other)) return;
+    if (shot.layout == PictureLayout::Inset)
+        failAt(file.path, pointer + "/beside", "is given beside `inset`; take one of them away");
+    shot.layout = PictureLayout::Beside;
 }
 
 }  // namespace
@@ -172,26 +197,23 @@ void readCameras(const JsonFile& file, const World& world, const NamedParticles&
 {
     const CameraReader reader(file, world, particles);
     render.camera = reader.read(file.root["camera"], "/camera");
-    Cameras cameras;
-    for (const auto& [name, json] : file.root["cameras"].items()) {
-        const std::string pointer = "/cameras/" + name;
-        if (name.empty() || name == AUTOMATIC || name == TURNTABLE)
-            failAt(file.path, pointer, fmt::format("\"{}\" is no name for a camera; choose another one", name));
-        cameras[name] = reader.read(json, pointer);
-    }
-    const std::optional<CameraSettings> only = onlyCamera(file, cameras);
-    if (only) render.camera = *only;
+    const Cameras cameras = readNamed(file, reader);
     const Json& shots = file.root["shots"];
     for (size_t i = 0; i < shots.size(); ++i) {
-        const std::string pointer = fmt::format("/shots/{}", i), name = shots[i]["camera"];
+        const std::string pointer = fmt::format("/shots/{}", i);
         Shot shot{.from = shots[i]["from"], .timeScale = shots[i]["timeScale"], .camera = render.camera};
         if (i == 0 && shot.from != 0.0) failAt(file.path, pointer + "/from", "must be 0: the film begins with it");
         if (i > 0 && shot.from <= render.shots.back().from)
             failAt(file.path, pointer + "/from", "must be after that of the shot before");
-        if (!name.empty()) shot.camera = namedCamera(file, cameras, name, pointer + "/camera");
-        if (only) shot.camera = *only;
+        chooseCameras(file, cameras, shots[i], pointer, shot);
         render.shots.push_back(std::move(shot));
     }
+    render.cameras = ofEveryScene(file);
+    render.cameras.insert(cameras.begin(), cameras.end());
+    const std::string only = file.root["render"]["camera"];
+    if (only.empty()) return;
+    if (!render.cameras.contains(only)) namedCamera(file, cameras, only, "/render/camera");
+    render = filmedBy(render, only);
 }
 
 }  // namespace knuckle

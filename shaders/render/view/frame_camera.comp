@@ -11,6 +11,11 @@ layout(std430) readonly buffer ParticleBoxes { ParticleBounds bounds[]; };
 layout(std430) readonly buffer CameraPlanes { vec4 planes[]; };   // xyz: unit normal; w: offset along it
 layout(std430) buffer View { FrameView view; };
 
+#ifdef SOLIDS
+#include "render/view/solids.glsl"
+#else
+vec3 inFrontOfSolids(vec3 target, vec3 eye) { return eye; }
+#endif
 #include "render/view/framed_box.glsl"
 #include "render/view/kept_whole.glsl"
 #include "render/view/focus.glsl"
@@ -64,22 +69,19 @@ vec3 placeInFront(Box box, inout vec3 back)
     return eye;
 }
 
-void turn(inout vec3 a, inout vec3 b, float angle)
-{
-    if (angle == 0.0) return;
-    vec3 turned = cos(angle) * a + sin(angle) * b;
-    b = cos(angle) * b - sin(angle) * a;
-    a = turned;
-}
-
 void main()
 {
     Box framed = framedBox();
     vec3 eye = frame.cameraPosition.xyz;
     vec3 back = normalize(eye - frame.cameraTarget.xyz);
-    if (frame.cameraMode == CAMERA_FOLLOWS) eye = inFrontOfPlanes(eye + tracked(followedBox()).low);
-    if (frame.cameraMode == CAMERA_FRAMES || frame.cameraMode == CAMERA_FRAMES_AROUND)
+    if (frame.cameraMode == CAMERA_FOLLOWS) {
+        vec3 followed = tracked(followedBox()).low;
+        eye = inFrontOfSolids(followed + frame.cameraTarget.xyz, inFrontOfPlanes(eye + followed));
+    }
+    if (frame.cameraMode == CAMERA_FRAMES || frame.cameraMode == CAMERA_FRAMES_AROUND) {
         eye = placeInFront(framed, back);
+        if (frame.framedBit != 0u) eye = inFrontOfSolids(0.5 * (framed.low + framed.high), eye);
+    }
     if (frame.cameraMode == CAMERA_LOOKS) {
         Box seen = tracked(framed);
         back = normalize(eye - 0.5 * (seen.low + seen.high));

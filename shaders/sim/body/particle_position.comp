@@ -18,6 +18,6 @@ void main()
         return;
     }
     PointState state = pointState(mover, fetchArm(i).r);
-    positions[i].xyz = state.position;
+    positions[i] = vec4(state.position, 0);   // w: it is there, also if it was not before
     velocities[i] = vec4(state.velocity, 0);
 }

@@ -76,7 +76,7 @@ void addBody(Movers& out, const World& world, const Body& body)
     out.states.push_back(stateOf(body.motion));
     addMass(out, mass);
     addRound(out, world, body);
-    out.centres.push_back(pack(body.position, 0));
+    out.centres.push_back(pack(body.position + awayFrom(world, body), 0));
     out.rotations.push_back(pack(body.rotation));
     addVelocityField(out.velocities, world, body, mass);
 }
@@ -101,6 +101,16 @@ Movers makeMovers(const World& world, const Layout& layout)
     return movers;
 }
 
+/// How a held body is let go: its velocity field, and its centre.
+void addThrow(std::vector<gpu::vec4>& out, const Body& body)
+{
+    const Eigen::Matrix3f turned = body.rotation.toRotationMatrix();
+    out.push_back(pack(body.throwVelocity, 0));
+    for (int column = 0; column < 3; ++column)
+        out.push_back(pack(body.throwSpin.cross(Vector3f(turned.col(column))), 0));
+    out.push_back(pack(body.position, 0));
+}
+
 /// The first substep in which a body responds; NO_SUBSTEP if it is not held or animated until a time.
 uint32_t releaseOf(const World& world, const Body& body)
 {
@@ -114,10 +124,12 @@ BodyStage::BodyStage(const StageSetup& setup, bool onParticles)
       solves_(setup.world.settings.solver == SolverKind::Impulse),
       hasFree_(solves_ && !setup.layout.freeBodies.empty()),
       hasJointed_(solves_ && !setup.layout.jointedBodies.empty()), hasLoose_(solves_ && setup.layout.looseCount > 0),
-      releases_(solves_ && !setup.layout.heldBodies.empty()), stacks_(StackStage::isNeeded(setup.world, setup.layout)),
-      onParticle_(definesOf({{"ON_PARTICLES", onParticles}})), warm_(definesOf({{"WARM_START", true}})),
-      angular_(definesOf({{"ANGULAR", setup.rows.hasAngular()}})),
-      jointed_(definesOf({{"ON_PARTICLES", onParticles}, {"ANGULAR", setup.rows.hasAngular()}}))
+      releases_(solves_ && !setup.layout.heldBodies.empty()),
+      throws_(std::ranges::any_of(setup.world.bodies, isThrown)),
+      stacks_(StackStage::isNeeded(setup.world, setup.layout)), onParticle_(definesOf({{"ON_PARTICLES", onParticles}})),
+      warm_(definesOf({{"WARM_START", true}})), angular_(definesOf({{"ANGULAR", setup.rows.hasAngular()}})),
+      jointed_(definesOf({{"ON_PARTICLES", onParticles}, {"ANGULAR", setup.rows.hasAngular()}})),
+      thrown_(definesOf({{"THROWS", throws_}}))
 {
 }
 
@@ -169,8 +181,12 @@ void BodyStage::uploadMovers(const StageSetup& setup)
     const std::vector<gpu::vec4> changes(fields, gpu::vec4{0, 0, 0, INITIAL_RELAXATION});
     moverInfo = {"moverInfo", std::span<const gpu::Mover>(movers.infos)};
     std::vector<gpu::uvec2> releases;
-    for (const uint32_t b : setup.layout.heldBodies)
+    std::vector<gpu::vec4> throws;
+    for (const uint32_t b : setup.layout.heldBodies) {
         releases.push_back({b, releaseOf(setup.world, setup.world.bodies[b])});
+        if (throws_) addThrow(throws, setup.world.bodies[b]);
+    }
+    bodyThrows = {"bodyThrows", std::span<const gpu::vec4>(throws)};
     setup.parameters.releaseCount = static_cast<uint32_t>(releases.size());
     bodyReleases = {"bodyReleases", std::span<const gpu::uvec2>(releases)};
     moverStates = {"moverStates", std::span<const uint32_t>(movers.states)};
@@ -212,7 +228,7 @@ void BodyStage::uploadRows(const RowPlan& rows)
 void BodyStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Constant, links, linksOfParticle, bodyInfo, bodyOrder, bodyMoments, bodyInertias, bodyRounds,
-              moverInfo, bodyRows, rowArms);
+              bodyThrows, moverInfo, bodyRows, rowArms);
     table.add(Lifetime::State, particleLinks, bodyReleases, moverStates, moverCentres, moverRotations, moverVelocities,
               oldMoverVelocities, oldMoverMoves, moverMoves, moverRotationDeltas, moverImpulses, moverChanges,
               rowImpulses, rowAngularImpulses);

@@ -29,10 +29,11 @@ public:
     Buffer<gpu::uvec2> linksOfParticle;        ///< Per link, grouped by particle: link, body.
     Buffer<gpu::Body> bodyInfo;                ///< Per body.
     Buffer<uint32_t> bodyOrder;                ///< Bodies that may respond: those without joints, then those with.
-    Buffer<gpu::vec4> bodyMoments;    ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
-    Buffer<gpu::vec4> bodyInertias;   ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
-    Buffer<gpu::vec4> bodyRounds;     ///< Per body, two: ends of its centre line [m]; w: radius, rolling friction.
-    Buffer<gpu::Mover> moverInfo;     ///< Per mover.
+    Buffer<gpu::vec4> bodyMoments;   ///< Per body: columns of the sum of m r r^T [kg m2]; w of one: radius [m].
+    Buffer<gpu::vec4> bodyInertias;  ///< Per body, two, inverse: xx, yy, zz, 1/mass; xy, xz, yz.
+    Buffer<gpu::vec4> bodyThrows;    ///< Per body of bodyReleases, five: velocity field, centre. Empty: none is thrown.
+    Buffer<gpu::vec4> bodyRounds;    ///< Per body, two: ends of its centre line [m]; w: radius, rolling friction.
+    Buffer<gpu::Mover> moverInfo;    ///< Per mover.
     Buffer<gpu::uvec2> bodyReleases;  ///< Bodies that may be let go: body, substep that it responds in first.
     // State, per mover.
     Buffer<uint32_t> moverStates;                           ///< MOVER_*.
@@ -64,9 +65,9 @@ private:
     uint32_t looseCount() const;
 
     const gpu::StepParameters& parameters_;
-    bool onParticles_, solves_, hasFree_, hasJointed_, hasLoose_, releases_, stacks_;
-    Defines onParticle_, warm_, angular_, jointed_;
-    Pass release_{*this, "body/mover_release", {}, releases_};
+    bool onParticles_, solves_, hasFree_, hasJointed_, hasLoose_, releases_, throws_, stacks_;
+    Defines onParticle_, warm_, angular_, jointed_, thrown_;
+    Pass release_{*this, "body/mover_release", thrown_, releases_};
     Pass predictFree_{*this, "body/mover_predict", {}, hasFree_};
     Pass predictJointed_{*this, "body/jointed_predict", angular_, hasJointed_};
     Pass predictLoose_{*this, "body/mover_predict", {{"LOOSE", "1"}}, hasLoose_};

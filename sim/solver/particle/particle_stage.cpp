@@ -18,7 +18,9 @@ void ParticleStage::upload(const StageSetup& setup)
     std::vector<gpu::vec4> places, speeds;
     const size_t firstPooled = world.particles.size() - world.pooledCount();
     for (const Particle& p : world.particles) {
-        places.push_back(pack(p.position, places.size() >= firstPooled ? 1.0f : 0.0f));
+        const bool absent = p.body != NO_INDEX && world.bodies[p.body].absent;
+        const Vector3f away = absent ? awayFrom(world, world.bodies[p.body]) : Vector3f::Zero();
+        places.push_back(pack(p.position + away, absent || places.size() >= firstPooled ? 1.0f : 0.0f));
         speeds.push_back(pack(isFixed(world, p) ? Vector3f::Zero() : p.velocity, 0));
     }
     positions = {"positions", std::span<const gpu::vec4>(places)};

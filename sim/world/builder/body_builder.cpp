@@ -62,6 +62,13 @@ void BodyBuilder::holdBody(uint32_t body, float releaseTime)
     world_.bodies[body].releaseTime = releaseTime;
 }
 
+void BodyBuilder::throwBody(uint32_t body, const Vector3f& velocity, const Vector3f& spin, bool appears)
+{
+    world_.bodies.at(body).throwVelocity = velocity;
+    world_.bodies[body].throwSpin = spin;
+    world_.bodies[body].absent = appears;
+}
+
 void BodyBuilder::setSelfMargin(float margin)
 {
     requireObject("setSelfMargin");

@@ -24,6 +24,8 @@ public:
                      const RoundShape& round = {});
     /// Holds a body in place, for ever or until a time [s], when it is let go from rest.
     void holdBody(uint32_t body, float releaseTime = std::numeric_limits<float>::infinity());
+    /// How a body is let go that is held until a time. @param appears whether it is not there before.
+    void throwBody(uint32_t body, const Vector3f& velocity, const Vector3f& spin, bool appears);
     /// Particle::selfMargin for all particles of the open object [diameters].
     void setSelfMargin(float margin);
     /// Marks the body as the cross of a universal joint: its particles touch no others of their assembly, and it gets

@@ -72,10 +72,10 @@ inline auto fieldsOf(const RoundShape& r)
 
 inline auto fieldsOf(const Body& b)
 {
-    const auto& [name, motion, releaseTime, watched, material, assembly, linkStart, linkCount, object, round, isCross,
-                 passed, mass, restCentre, position, rotation] = b;
-    return counting(motion, releaseTime, watched, material, assembly, linkStart, linkCount, object, round, isCross,
-                    passed, mass, restCentre, position, rotation);
+    const auto& [name, motion, releaseTime, watched, absent, throwVelocity, throwSpin, material, assembly, linkStart,
+                 linkCount, object, round, isCross, passed, mass, restCentre, position, rotation] = b;
+    return counting(motion, releaseTime, watched, absent, throwVelocity, throwSpin, material, assembly, linkStart,
+                    linkCount, object, round, isCross, passed, mass, restCentre, position, rotation);
 }
 
 inline auto fieldsOf(const Object& o)

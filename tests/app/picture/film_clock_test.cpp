@@ -35,6 +35,17 @@ TEST(FilmClock, ShowsFourFramesAStepAtAQuarterOfTheSpeed)
     expectPlace(clock, 62, 39, 0.5);
 }
 
+TEST(FilmClock, TakesMoreStepsAFrameInFastMotion)
+{
+    const FilmClock clock(60, 2, {{.from = 0}, {.from = 0.5, .timeScale = 1.25f}, {.from = 1, .timeScale = 20}});
+    EXPECT_FALSE(clock.isEven());
+    expectPlace(clock, 31, 60, 1.0);
+    expectPlace(clock, 32, 63, 0.5);
+    expectPlace(clock, 33, 65, 1.0);
+    expectPlace(clock, 61, 135, 1.0);
+    expectPlace(clock, 62, 175, 1.0);
+}
+
 TEST(FilmClock, TakesFewerStepsAFrameWhereThereAreMany)
 {
     const FilmClock clock(60, 4, {{.from = 0, .timeScale = 0.25f}});

@@ -37,6 +37,26 @@ TEST(Cameras, AreChosenByTheirNamesInShots)
     EXPECT_EQ(picture.shots[1].timeScale, 0.25f);
 }
 
+TEST(Cameras, TwoOfThemShareThePicturesOfAShot)
+{
+    const std::string shots = R"("cameras": { "close": { "fieldOfView": 20 } },
+           "shots": [{ "from": 0 }, { "from": 1, "beside": "close" }, { "from": 2, "inset": "close" },
+                     { "from": 3, "inset": "close", "insetAt": "topLeft" }])";
+    const RenderSettings picture = pictureOf(shots);
+    ASSERT_EQ(picture.shots.size(), 4u);
+    EXPECT_EQ(picture.shots[0].layout, PictureLayout::One);
+    EXPECT_EQ(picture.shots[1].layout, PictureLayout::Beside);
+    EXPECT_EQ(picture.shots[2].layout, PictureLayout::Inset);
+    EXPECT_EQ(picture.shots[2].insetAt, Corner::BottomRight);
+    EXPECT_EQ(picture.shots[3].insetAt, Corner::TopLeft);
+    for (size_t k = 1; k < 4; ++k) {
+        EXPECT_EQ(picture.shots[k].camera.fieldOfView, 40.0f);
+        EXPECT_EQ(picture.shots[k].other.fieldOfView, 20.0f);
+    }
+    for (const Shot& shot : pictureOf(shots + R"(, "render": { "camera": "auto" })").shots)
+        EXPECT_EQ(shot.layout, PictureLayout::One);
+}
+
 TEST(Cameras, OfTheCommandLineFilmEveryShot)
 {
     const std::string shots = R"("duration": 8, "cameras": { "close": { "fieldOfView": 20 } },
@@ -102,15 +122,21 @@ TEST(Cameras, AreRefusedInOneLine)
          "/shots/0/camera: there is no camera \"cloze\"; did you mean \"close\"?"},
         {R"("render": { "camera": "x" }, "cameras": { "close": {}, "wide": {} })",
          "/render/camera: there is no camera \"x\"; known: close, wide"},
+        {R"("cameras": { "close": {} }, "shots": [{ "from": 0, "beside": "closer" }])",
+         "/shots/0/beside: there is no camera \"closer\"; did you mean \"close\"?"},
+        {R"("cameras": { "close": {} }, "shots": [{ "from": 0, "beside": "close", "inset": "close" }])",
+         "/shots/0/beside: is given beside `inset`; take one of them away"},
+        {R"("cameras": { "a=b": {} })", "/cameras/a=b: \"a=b\" is no name for a camera; choose another one"},
         {R"("cameras": { "auto": {} })", "/cameras/auto: \"auto\" is no name for a camera; choose another one"},
         {R"("shots": [{ "from": 1 }])", "/shots/0/from: must be 0: the film begins with it"},
         {R"("shots": [{ "from": 0 }, { "from": 2 }, { "from": 2 }])",
          "/shots/2/from: must be after that of the shot before"},
         {R"("shots": [{ "camera": "" }])",
-         "/shots/0: \"from\" is missing; add it: When it begins, in the time of the film: slow motion makes the film "
-         "longer, not `duration`. The first begins at 0. Its first frame is the first at this time or later."},
+         "/shots/0: \"from\" is missing; add it: When it begins, in the time of the film: `timeScale` changes how "
+         "much is simulated, not `duration`. The first begins at 0. Its first frame is the first at this time or "
+         "later."},
         {R"("shots": [{ "from": 0, "timeScale": -1 }])", "/shots/0/timeScale: -1 is below the minimum 0"},
-        {R"("shots": [{ "from": 0, "timeScale": 2 }])", "/shots/0/timeScale: 2 is above the maximum 1"},
+        {R"("shots": [{ "from": 0, "timeScale": 2000 }])", "/shots/0/timeScale: 2000 is above the maximum 1000"},
         {R"("camera": { "keys": [{ "time": 2 }, { "time": 1 }] })",
          "/camera/keys/1/time: must be after that of the key before"},
         {R"("camera": { "keys": [{ "time": 0, "easing": "smoth" }] })",

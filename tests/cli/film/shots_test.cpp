@@ -52,6 +52,32 @@ TEST_F(Shots, OfSlowMotionShowTheStatesOfMoreFramesASecond)
     for (const int frame : {8, 9, 10, 11, 18}) expectSamePictures("slow", frame, "fine", 25 + frame - 7);
 }
 
+TEST_F(Shots, OfFastMotionShowEveryThirdState)
+{
+    render("fast", {"--set", R"(shots=[{"from":0},{"from":0.05,"timeScale":3}])", "--set", "duration=0.13333"});
+    render("moving", {});
+    for (int frame = 1; frame <= 4; ++frame) expectSamePictures("fast", frame, "moving", frame);
+    for (int frame = 5; frame <= 8; ++frame) expectSamePictures("fast", frame, "moving", 4 + 3 * (frame - 4));
+}
+
+TEST_F(Shots, OfFastMotionShowMomentsBetweenStepsAndBlurOnTheWay)
+{
+    const auto with = [](const std::string& pace) {
+        return std::vector<std::string>{"--set",    "shots=[{\"from\":0,\"timeScale\":" + pace + "}]",
+                                        "--set",    "solver.timeStep=0.0167",
+                                        "--frames", "5"};
+    };
+    // Ten steps a second of which two and a half are a frame, and twenty-four a frame of as many states.
+    render("between", with("2.5"));
+    render("after", with("2"));
+    EXPECT_NE(pictureOf("between", 5), pictureOf("after", 5));
+    std::vector<std::string> blurred = with("20");
+    for (const char* word : {"--set", "render.shutter=180", "--set", "render.samples=4"}) blurred.emplace_back(word);
+    render("blurred", blurred);
+    render("sharp", with("20"));
+    EXPECT_NE(pictureOf("blurred", 5), pictureOf("sharp", 5));
+}
+
 TEST_F(Shots, StandStillWithAllBits)
 {
     render("still", {"--set", R"(shots=[{"from":0},{"from":0.1,"timeScale":0},{"from":0.2}])"});
@@ -71,6 +97,8 @@ TEST_F(Shots, ChangeNoBitOfWhatIsSimulated)
     const std::string whole = hash("shots=[]", "0.2");
     EXPECT_EQ(hash(R"(shots=[{"from":0},{"from":0.1,"timeScale":0.5,"camera":"near"}])", "0.2833"), whole);
     EXPECT_EQ(hash(R"(shots=[{"from":0,"timeScale":0.5}])", "0.3833"), whole);
+    // One frame of 44 steps, which are checked on the way.
+    EXPECT_EQ(hash(R"(shots=[{"from":0,"timeScale":11}])", "0.0333"), whole);
 }
 
 TEST_F(Shots, AreTheSameInPartAndFromStatesAndAfterAnInterruption)
@@ -101,14 +129,15 @@ TEST_F(Shots, OfAnotherPaceAreNotThoseOfTheStates)
                 "run.states: its frames are of other moments than the scene's: give shots the `from` and `timeScale` "
                 "of its run, and any camera");
     EXPECT_EQ(run({"render", "--from", "run.states", "--camera", "side", "-o", "side", "--quiet"}).code, 0);
-    expectError(run({"render", "fall.json", "--set", SLOW, "--export", "bodies=b.csv"}), 2,
-                "--export: frames of slow motion and of what stands still are none of the simulation; export without "
-                "them: --set 'shots=[]'");
+    expectError(
+        run({"render", "fall.json", "--set", SLOW, "--export", "bodies=b.csv"}), 2,
+        "--export: shots of another `timeScale` than 1 show moments that are no frames of the simulation; export "
+        "without them: --set 'shots=[]'");
     folder.write("on.json", R"({ "start": { "from": "run.states" }, "diameter": 0.1, "objects": [
         { "type": "joined", "name": "pair", "position": [0, 0.6, 0] }] })");
     expectError(run({"render", "on.json"}), 2,
-                "on.json: /start/from: run.states is of a film with slow motion, from which nothing goes on; record "
-                "it without: --set 'shots=[]'");
+                "on.json: /start/from: run.states is of a film with slow or fast motion, from which nothing goes on; "
+                "record it without: --set 'shots=[]'");
 }
 
 TEST_F(Shots, AreFilmedByOneCameraOnDemand)

@@ -1,0 +1,286 @@
+#include "render/panes/pane.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/colliders/collider_pass.h"
+#include "render/fluids/fluid_looks.h"
+#include "render/fluids/fluid_pass.h"
+#include "render/frame_input.h"
+#include "render/looks/finishes.h"
+#include "render/looks/picture_defines.h"
+#include "render/looks/picture_looks.h"
+#include "render/marks/joint_marks.h"
+#include "render/marks/mark_pass.h"
+#include "render/picture/lens_passes.h"
+#include "render/picture/picture_passes.h"
+#include "render/picture/picture_reader.h"
+#include "render/quantities/quantity_pass.h"
+#include "render/ropes/rope_pass.h"
+#include "render/shapes/shape_pass.h"
+#include "render/shown_buffers.h"
+#include "render/skins/skin_pass.h"
+#include "render/spheres/sphere_pass.h"
+#include "render/surfaces/surface_pass.h"
+#include "render/unseen.h"
+#include "render/view/framed_sets.h"
+#include "render/view/view_passes.h"
+#include "sim/base/errors.h"
+
+namespace knuckle {
+
+/// Members are in the order of their dependencies: each pass finds its inputs in the table when it is made.
+struct Pane::Impl {
+    Impl(Gpu& gpu, const World& world, const RenderSettings& chosen, KernelTimer& timerIn);
+    BufferTable& addInputs();  ///< Adds to the table, which it returns.
+    void attach(const ParticleView& drawn);
+    /// @param time of the film [s]. @param draw of a frame.
+    void aimCamera(double time, uint32_t draw);
+    /// Draws of a frame, with the same view: from `first` on, as many.
+    void expose(double time, uint32_t first, uint32_t count);
+    /// Draws what casts shadows and what is visible, with the light that reaches it.
+    void drawSurfaces(bool withSkins, bool withParticles);
+    void drawGlass();
+    void drawOnce();
+    /// At the depth of what the camera aims at; waits for the frame.
+    float pixelsPerMetre() const;
+
+    RenderSettings settings;
+    SceneExtent extent;
+    std::vector<Shot> shots;
+    std::vector<Camera> cameras;  ///< Of the shots.
+    FramedSets framed;            ///< Of the same.
+    gpu::FrameInput input;
+    bool beads;                      ///< Whether fluids are drawn as spheres.
+    std::optional<double> lookedAt;  ///< Time of the film at the camera's last look [s].
+    Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
+    Buffer<uint32_t> unseen, framedParticles;
+    Buffer<gpu::vec4> planes;
+    Buffer<gpu::CameraSolid> solids;
+    Buffer<float> grids;
+    ShownBuffers shown;
+    RenderTargets targets;
+    BufferTable table;
+    ViewPasses view;
+    QuantityPass quantities;
+    FluidLooks fluidLooks;
+    PictureLooks looks;
+    SphereLists lists;
+    ColliderPass colliders;
+    SkinPass skins;
+    ShapePass shapes;
+    SurfacePass surfaces;
+    RopePass ropes;
+    SpherePass spheres;
+    FluidPass fluids;
+    PicturePasses picture;
+    LensPasses lens;
+    MarkPass marks;
+    PictureReader reader;
+    KernelTimer& timer;
+};
+
+Pane::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen, KernelTimer& timerIn)
+    : settings((checkSettings(chosen), checkTransparency(world, chosen), chosen)), extent(sceneExtent(world)),
+      shots(shotsOf(settings)), cameras(camerasOf(shots, world, float(settings.width) / float(settings.height))),
+      framed(framedSets(shots, world)), input(frameInput(world, settings, extent)),
+      beads(drawsFluids(world, settings, DrawnAs::Particles)),
+      unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
+      framedParticles("framedParticles", std::span<const uint32_t>(framed.words)),
+      planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))),
+      solids("cameraSolids", std::span<const gpu::CameraSolid>(cameraSolids(world).solids)),
+      grids("cameraGrids", std::span<const float>(cameraSolids(world).grids)), shown(world),
+      targets(settings, {drawsFluids(world, settings, DrawnAs::Surface), fluidsEmit(world, settings), hasGlass(world)}),
+      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty(), solids.size() > 0),
+      quantities(gpu, table, world, settings), fluidLooks(table, world, settings),
+      looks(table, world, settings, extent), lists(gpu, table, world, targets.hasSurfaces()),
+      colliders(gpu, table, world, settings, extent, targets), skins(gpu, table, world, targets),
+      shapes(gpu, table, world, settings, targets), surfaces(gpu, table, world, settings, targets),
+      ropes(gpu, table, world, settings, targets), spheres(gpu, table, world, settings, targets),
+      fluids(gpu, table, world, settings, targets),
+      picture(gpu, table, targets, settings, looks.lighting(), looks.isMirror()), lens(gpu, table, targets, settings),
+      marks(gpu, table, settings.markJoints ? jointMarks(world, settings.legend) : Marks(), targets,
+            displayDefines(settings)),
+      reader(settings.width, settings.height, settings.background == Background::Transparent, settings.depth),
+      timer(timerIn)
+{
+    input.cameraPlaneCount = static_cast<uint32_t>(planes.size());
+    input.cameraSolidCount = static_cast<uint32_t>(solids.size());
+    gpu.checkErrors();
+}
+
+BufferTable& Pane::Impl::addInputs()
+{
+    targets.addTo(table);
+    table.add(Lifetime::Scratch, inputBuffer);
+    table.add(Lifetime::Constant, unseen, framedParticles, planes, solids, grids);
+    shown.addTo(table);
+    return table;
+}
+
+void Pane::Impl::attach(const ParticleView& drawn)
+{
+    if (drawn.particleCount != input.particleCount)
+        throw RunError(fmt::format("the renderer was made for {} particles, and the solver has {}", input.particleCount,
+                                   drawn.particleCount));
+    describeParticles(input, drawn, targets.hasSurfaces());
+    shown.attach(drawn);
+    quantities.attach(drawn);
+    // The solver's last step wrote the inputs of everything below.
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void Pane::Impl::aimCamera(double time, uint32_t draw)
+{
+    const size_t shot = shotAt(shots, time);
+    // A camera that has been cut to sees for the first time.
+    const bool goesOn = lookedAt && shotAt(shots, *lookedAt) == shot;
+    const float passed = goesOn ? static_cast<float>(std::max(0.0, time - *lookedAt)) : -1.0f;
+    lookedAt = time;
+    const CameraAim aim = cameras[shot].at(time);
+    placeCamera(input, cameras[shot], aim, passed);
+    placeLens(input, settings, aim, draw);
+    input.framedBit = framed.bits[shot];
+    input.focusBit = framed.sharp[shot];
+    inputBuffer.upload({&input, 1});
+    // The draws of one moment see the same.
+    if (passed != 0.0f || draw == 0) view.aim(timer);
+    view.fit(timer);
+}
+
+void Pane::Impl::drawSurfaces(bool withSkins, bool withParticles)
+{
+    const bool hasSolids = withParticles && input.solidCount > 0;
+    const bool hasFluids = withParticles && beads;
+    targets.shadowMap.clear();
+    colliders.drawShadow(timer);
+    if (withSkins) skins.drawShadow(timer);
+    if (withParticles) {
+        shapes.drawShadow(timer);
+        surfaces.drawShadow(timer);
+        ropes.drawShadow(timer);
+    }
+    if (hasSolids) spheres.drawShadow(timer, lists, SphereGroup::Solid);
+    if (hasFluids) spheres.drawShadow(timer, lists, SphereGroup::Fluid);
+    if (withParticles && !fluids.empty()) fluids.drawShadow(timer, lists);
+
+    targets.geometry.clear();
+    colliders.draw(timer);
+    if (withSkins) skins.draw(timer);
+    if (withParticles) {
+        shapes.draw(timer);
+        surfaces.draw(timer);
+        ropes.draw(timer);
+    }
+    if (hasSolids) spheres.draw(timer, lists, SphereGroup::Solid);
+    if (hasFluids) spheres.draw(timer, lists, SphereGroup::Fluid);
+
+    picture.drawOcclusion(timer);
+}
+
+void Pane::Impl::drawGlass()
+{
+    targets.glass.clear();
+    targets.smoothed.copy(targets.lit);
+    colliders.drawGlass(timer);
+    shapes.drawGlass(timer);
+    targets.lit.copy(targets.smoothed);
+}
+
+void Pane::Impl::drawOnce()
+{
+    const bool veiled = settings.skinOpacity < 1.0f && !skins.empty();
+    quantities.update(timer);
+    lists.update(timer);
+    skins.update(timer);
+    surfaces.update(timer);
+    ropes.update(timer);
+    drawSurfaces(!veiled, true);
+    picture.drawLighting(timer);
+    if (!fluids.empty()) fluids.draw(timer, lists, shown.foamCount());
+    if (targets.hasGlass()) drawGlass();
+    if (veiled) {
+        drawSurfaces(true, false);
+        picture.drawVeil(timer);
+    }
+    marks.draw(timer);
+    picture.drawSmooth(timer);
+}
+
+void Pane::Impl::expose(double time, uint32_t first, uint32_t count)
+{
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glEnable(GL_DEPTH_CLAMP);
+    if (first == 0 && !lens.empty()) lens.begin();
+    for (uint32_t draw = first; draw < first + count; ++draw) {
+        aimCamera(time, draw);
+        drawOnce();
+        if (!lens.empty()) lens.expose(timer);
+    }
+    if (first + count < drawsOf(settings)) return;
+    if (!lens.empty()) lens.develop(timer);
+    reader.start(lens.empty() ? picture.result().id() : lens.result().id());
+}
+
+float Pane::Impl::pixelsPerMetre() const
+{
+    const gpu::FrameView seen = view.read();
+    const auto placeOf = [](const gpu::vec4& v) { return Vector3f(v.x, v.y, v.z); };
+    const Vector3f low = placeOf(seen.trackedLow), high = placeOf(seen.trackedHigh);
+    Vector3f target = placeOf(input.cameraTarget);
+    if (input.cameraMode == CAMERA_FOLLOWS) target = low;
+    if (input.cameraMode == CAMERA_LOOKS) target = 0.5f * (low + high);
+    if (input.cameraMode == CAMERA_FRAMES || input.cameraMode == CAMERA_FRAMES_AROUND)
+        target = input.framedBit != 0 ? low : Vector3f(0.5f * (low + high));
+    const float depth = (placeOf(seen.cameraPosition) - target).dot(placeOf(seen.cameraBack));
+    return static_cast<float>(settings.height) / (2.0f * input.tanHalfFov * depth);
+}
+
+Pane::Pane(Gpu& gpu, const World& world, const RenderSettings& settings, KernelTimer& timer)
+    : impl_(std::make_unique<Impl>(gpu, world, settings, timer))
+{
+}
+
+Pane::~Pane() = default;
+
+void Pane::draw(const ParticleView& view, double time)
+{
+    impl_->attach(view);
+    impl_->expose(time, 0, drawsOf(impl_->settings));
+}
+
+void Pane::expose(const ParticleView& view, double time, uint32_t draw)
+{
+    impl_->attach(view);
+    impl_->expose(time, draw, 1);
+}
+
+void Pane::look(const ParticleView& view, double time)
+{
+    impl_->attach(view);
+    impl_->aimCamera(time, 0);
+}
+
+Image Pane::readImage()
+{
+    return impl_->reader.last();
+}
+
+float Pane::pixelsPerMetre() const
+{
+    return impl_->pixelsPerMetre();
+}
+
+RendererState Pane::saveState() const
+{
+    return {impl_->lookedAt, impl_->table.saveState()};
+}
+
+void Pane::loadState(const RendererState& state)
+{
+    impl_->table.loadState(state.buffers);
+    impl_->lookedAt = state.lookedAt;
+}
+
+}  // namespace knuckle
