@@ -46,7 +46,7 @@ make() {
     count=${#drawn[@]}
     ffmpeg -hide_banner -loglevel error -y -i "${drawn[count * ${moment[$name]:-40} / 100]}" -q:v 4 "$work/still.jpg" &&
     ffmpeg -hide_banner -loglevel error -y -framerate $rate -pattern_type glob -i "$work/frames/*.png" \
-        -vf scale=400:225:flags=lanczos -c:v libwebp_anim -quality 50 -compression_level 6 -loop 0 "$work/film.webp" &&
+        -vf scale=400:225:flags=lanczos -c:v libwebp_anim -quality 50 -compression_level 4 -loop 0 "$work/film.webp" &&
     small "$work/still.jpg" 60000 && small "$work/film.webp" 1000000 &&
     mv "$work/still.jpg" "$pictures/$name.jpg" && mv "$work/film.webp" "$pictures/$name.webp" &&
     chmod 644 "$pictures/$name".* || return
