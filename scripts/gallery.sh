@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes docs/gallery.md and its pictures in docs/gallery, a still and a small film of each scene: scripts/gallery.sh
 # [NAME...], of all scenes or of these. Scenes that have not changed since their pictures were made are skipped;
-# docs/gallery/made has the checksums. All of them take about an hour on two quiet cores, a small one ten seconds;
+# docs/gallery/made has the checksums. All of them take an hour on two busy cores, a small one ten seconds;
 # PROGRAM names another program than build/release/bin/knuckle.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
