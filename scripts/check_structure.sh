@@ -208,6 +208,15 @@ while read -r count file; do
   fi
 done < <(xargs wc -l <"$lists/sources" | grep -v ' total$')
 
+# The gallery shows all scenes; scripts/gallery.sh makes it.
+for scene in assets/scenes/*.json; do
+  name=$(basename "$scene" .json)
+  if ! grep -qF "](gallery/$name.webp)" docs/gallery.md; then
+    echo "docs/gallery.md lacks $scene: scripts/gallery.sh $name" >&2
+    failed=1
+  fi
+done
+
 # A room must be easy to survey: 24 files at most.
 while read -r count folder; do
   if (( count > 24 )); then
