@@ -4,6 +4,7 @@
 #include <thread>
 #include <utility>
 
+#include "sim/gpu/thread_device.h"
 #include "sim/solver/solver.h"
 #include "sim/solver/workload.h"
 
@@ -14,31 +15,11 @@ namespace {
 /// Steps between checks of lists: after an overflow, at most these are repeated.
 constexpr uint32_t STEPS_A_CHECK = 8;
 
-/// The context of this thread: two would take it from each other.
-struct ThreadDevice {
-    std::weak_ptr<Gpu> gpu;
-    std::string name;
-};
-
-std::shared_ptr<Gpu> deviceOfThread(const std::string& name, const World& world)
-{
-    thread_local ThreadDevice device;
-    if (auto gpu = device.gpu.lock()) {
-        if (name != device.name)
-            throw std::logic_error("Simulation: this thread computes on \"" + device.name + "\" already, not on \"" +
-                                   name + "\"");
-        return gpu;
-    }
-    auto gpu = std::make_shared<Gpu>(DeviceChoice::parse(name), std::string{}, FrameWork{stepWorkload(world), {}});
-    device = {gpu, name};
-    return gpu;
-}
-
 }  // namespace
 
 struct Simulation::Impl {
     Impl(World worldIn, const std::string& device)
-        : world(std::move(worldIn)), gpu(deviceOfThread(device, world)), solver(*gpu, world)
+        : world(std::move(worldIn)), gpu(deviceOfThread(device, FrameWork{stepWorkload(world), {}})), solver(*gpu, world)
     {
     }
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace knuckle {
+
+/// Python's module of the program, in parts.
+void bindScene(pybind11::module_& module);
+void bindSimulation(pybind11::module_& module);
+void bindActor(pybind11::module_& module);
+void bindPictures(pybind11::module_& module);
+
+/// float32 [n, 3], a copy.
+inline pybind11::array_t<float> arrayOf(const std::vector<Eigen::Vector3f>& vectors)
+{
+    static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
+    const std::vector<pybind11::ssize_t> shape{static_cast<pybind11::ssize_t>(vectors.size()), 3};
+    return pybind11::array_t<float>(shape, reinterpret_cast<const float*>(vectors.data()));
+}
+
+}  // namespace knuckle

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include "app/python/bind.h"
+#include "app/python/session.h"
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace knuckle {
+
+namespace {
+
+std::string bodyName(const World& world, const Body& body)
+{
+    const bool isAlone = body.object == NO_INDEX || world.objects[body.object].bodyCount == 1;
+    if (body.object == NO_INDEX) return body.name;
+    return isAlone ? world.objects[body.object].name : world.objects[body.object].name + "/" + body.name;
+}
+
+py::dict bodiesOf(Session& session)
+{
+    const World& world = session.scene().world;
+    const std::vector<BodyState> states = session.bodies();
+    const auto count = static_cast<py::ssize_t>(states.size());
+    std::vector<std::string> names;
+    for (const Body& body : world.bodies) names.push_back(bodyName(world, body));
+    py::array_t<float> positions({count, py::ssize_t{3}}), rotations({count, py::ssize_t{4}}),
+        velocities({count, py::ssize_t{3}}), spins({count, py::ssize_t{3}}), masses(count);
+    auto p = positions.mutable_unchecked<2>(), r = rotations.mutable_unchecked<2>(),
+         v = velocities.mutable_unchecked<2>(), w = spins.mutable_unchecked<2>();
+    auto m = masses.mutable_unchecked<1>();
+    for (py::ssize_t i = 0; i < count; ++i) {
+        const BodyState& state = states[static_cast<size_t>(i)];
+        for (int axis = 0; axis < 3; ++axis) {
+            p(i, axis) = state.position[axis];
+            v(i, axis) = state.velocity[axis];
+            w(i, axis) = state.angularVelocity[axis];
+        }
+        for (int part = 0; part < 4; ++part) r(i, part) = state.rotation.coeffs()[part];
+        m(i) = world.bodies[static_cast<size_t>(i)].mass;
+    }
+    return py::dict("name"_a = names, "position"_a = positions, "rotation"_a = rotations, "velocity"_a = velocities,
+                    "angular_velocity"_a = spins, "mass"_a = masses);
+}
+
+py::list jointsOf(const Session& session)
+{
+    const World& world = session.scene().world;
+    py::list joints;
+    for (const Joint& joint : world.joints)
+        joints.append(py::dict("parent"_a = bodyName(world, world.bodies[joint.parent]),
+                               "child"_a = bodyName(world, world.bodies[joint.child]),
+                               "particles"_a = joint.particles));
+    return joints;
+}
+
+py::array_t<bool> activeOf(Session& session)
+{
+    const ParticleState state = session.particles();
+    py::array_t<bool> active(static_cast<py::ssize_t>(state.positions.size()));
+    auto values = active.mutable_unchecked<1>();
+    for (size_t i = 0; i < state.positions.size(); ++i)
+        values(static_cast<py::ssize_t>(i)) = state.inactive.empty() || !state.inactive[i];
+    return active;
+}
+
+py::dict measuresOf(Session& session)
+{
+    const Measures m = session.measure();
+    return py::dict("contacts"_a = m.contactCount, "mean_penetration"_a = m.meanPenetration,
+                    "worst_penetration"_a = m.worstPenetration, "mean_joint_gap"_a = m.meanJointGap,
+                    "worst_joint_gap"_a = m.worstJointGap, "mean_density_error"_a = m.meanDensityError,
+                    "worst_density_error"_a = m.worstDensityError, "worst_stretch"_a = m.worstStretch,
+                    "max_speed"_a = m.maxSpeed, "kinetic_energy"_a = m.kineticEnergy);
+}
+
+py::array_t<uint8_t> renderOf(Session& session, std::array<uint32_t, 2> size, const py::object& camera,
+                              const std::string& quality)
+{
+    PictureWish wish{size[0], size[1], quality, {}};
+    if (!camera.is_none()) wish.camera = py::module_::import("json").attr("dumps")(camera).cast<std::string>();
+    const Image image = session.picture(wish);
+    py::array_t<uint8_t> pixels({py::ssize_t{image.height}, py::ssize_t{image.width}, py::ssize_t{4}});
+    uint8_t* out = pixels.mutable_data();
+    for (size_t i = 0; i < size_t{image.width} * image.height; ++i) {
+        for (int c = 0; c < 3; ++c) *out++ = image.rgb[3 * i + static_cast<size_t>(c)];
+        *out++ = image.alpha.empty() ? uint8_t{255} : image.alpha[i];
+    }
+    return pixels;
+}
+
+}  // namespace
+
+void bindSimulation(py::module_& module)
+{
+    py::class_<SessionState, std::shared_ptr<SessionState>>(module, "State",
+                                                            "A state of a simulation, to return to.")
+        .def_readonly("steps", &SessionState::steps);
+    py::class_<Session>(module, "Simulation",
+                        "A scene on the device. The same scene, program and driver give the same bits. SI units, +Y up; "
+                        "particles and bodies are in the order of the scene. All calls must come from the thread that "
+                        "made it.")
+        .def(py::init([](std::shared_ptr<Scene> scene, const std::string& device) {
+                 return std::make_unique<Session>(std::move(scene), device);
+             }),
+             "scene"_a, "device"_a = "auto",
+             "`device`: 'auto' (a GPU, else the CPU), 'gpu', 'software' or a number of `knuckle info`; the first "
+             "simulation of a thread chooses for all. Compiles kernels, which takes seconds at first.")
+        .def("step", &Session::step, "count"_a = 1, py::call_guard<py::gil_scoped_release>(),
+             "Advances by `count` times scene.time_step. Raises RunError for a state that is no longer finite.")
+        .def_property_readonly("time", &Session::time, "Since the start [s].")
+        .def_property_readonly("steps", &Session::steps, "Since the start.")
+        .def_property_readonly("device", &Session::deviceName, "As the driver names it.")
+        .def("positions", [](Session& s) { return arrayOf(s.particles().positions); },
+             "Of all particles [m], float32 [n, 3].")
+        .def("velocities", [](Session& s) { return arrayOf(s.particles().velocities); },
+             "Of all particles [m/s], float32 [n, 3].")
+        .def("active", &activeOf, "Which particles are there, bool [n]: not what emitters keep, nor what has drained.")
+        .def("bodies", &bodiesOf,
+             "A dict: 'name', a list, 'object/body' of objects with several; arrays float32 'position' (mass centres) "
+             "[n, 3] [m], 'rotation' [n, 4] (quaternions x, y, z, w, from the pose at rest), 'velocity' [n, 3] [m/s], "
+             "'angular_velocity' [n, 3] [rad/s], 'mass' [n] [kg].")
+        .def("joints", &jointsOf, "A list of dicts: 'parent' and 'child', names of bodies; 'particles' that they share.")
+        .def("measure", &measuresOf, "How well the state holds together: a dict of depths and gaps [m], speeds, energy.")
+        .def("hash", [](Session& s) { return fmt::format("{:016x}", s.hash()); },
+             "Of the bits of all positions and velocities, as `knuckle render --hash` prints it.")
+        .def("save_state", [](Session& s) { return std::make_shared<SessionState>(s.save()); },
+             "A State, for load_state().")
+        .def("load_state", &Session::load, "state"_a,
+             "Returns to a State of a simulation of the same scene; steps from there give the same bits.")
+        .def("render", &renderOf, "size"_a = std::array<uint32_t, 2>{640, 360}, "camera"_a = py::none(),
+             "quality"_a = "",
+             "A picture, uint8 [height, width, 4]. `camera`: a dict with the fields of a scene's camera, else the "
+             "scene's shots; `quality`: 'draft', 'good' or 'final', else the scene's.");
+}
+
+}  // namespace knuckle
