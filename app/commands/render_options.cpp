@@ -17,7 +17,8 @@ namespace knuckle {
 
 namespace {
 
-constexpr double PREVIEW_DIAMETER = 1.6, PREVIEW_FRAMES = 12.0;  // [diameters], a second
+constexpr double FEWER = 0.7;  // share of the particles that a rough scene has at most
+constexpr double PREVIEW_DIAMETER = 2.0, PREVIEW_FRAMES = 12.0;  // [diameters], a second
 
 Json labelsOf(const std::string& list)
 {
@@ -114,6 +115,9 @@ Preview previewOf(const Scene& real, const std::function<Scene(const std::vector
         std::vector<Override> coarse = changes;
         coarse.push_back({"diameter", PREVIEW_DIAMETER * static_cast<double>(real.world.diameter())});
         preview.scene = load(coarse);
+        // What is counted in particles would only be larger, and come too near to its neighbours.
+        if (static_cast<double>(preview.scene.world.particles.size()) > FEWER * static_cast<double>(preview.particles))
+            preview.scene = load(changes);
     } catch (const InputError&) {
         preview.scene = load(changes);  // something in it is too thin for larger particles
     }
