@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/gpu/driver_threads.h"
+#include "sim/gpu/device/driver_threads.h"
 #include "sim/gpu/kernel.h"
 #include "sim/solver/solver.h"
 #include "sim/world/world.h"

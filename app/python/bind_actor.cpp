@@ -64,8 +64,9 @@ void bindActor(py::module_& module)
     py::class_<Actor, std::shared_ptr<Actor>>(module, "Actor", "A ragdoll of particles in its rest pose.")
         .def_readonly("name", &Actor::name)
         .def_readonly("diameter", &Actor::diameter, "Of a particle [m].")
-        .def_property_readonly("particles", [](const Actor& actor) { return arrayOf(actor.particles); },
-                               "Rest positions [m], float32 [n, 3].")
+        .def_property_readonly(
+            "particles", [](const Actor& actor) { return arrayOf(actor.particles); },
+            "Rest positions [m], float32 [n, 3].")
         .def_property_readonly("bodies", &bodiesOf,
                                "A list of dicts: 'name', 'parent' (an index, -1: none), 'particles' (indices; shared "
                                "ones stand in several bodies), 'merged_bones'.")
@@ -73,8 +74,9 @@ void bindActor(py::module_& module)
                                "A list of dicts: 'name', 'type' (ball, hinge, universal, stiff), 'parent' and 'child' "
                                "(indices of bodies), 'anchor' [m], 'axis', 'particles' (shared ones).")
         .def_readonly("notes", &Actor::notes, "What was merged, dropped or assumed.")
-        .def("save", [](const Actor& actor, const std::filesystem::path& path) { writeActor(path.string(), actor); },
-             "path"_a, "Writes it as a scene loads it (JSON).")
+        .def(
+            "save", [](const Actor& actor, const std::filesystem::path& path) { writeActor(path.string(), actor); },
+            "path"_a, "Writes it as a scene loads it (JSON).")
         .def("__repr__", [](const Actor& actor) {
             return fmt::format("<knuckle.Actor '{}': {} particles of {:.3g} m, {} bodies, {} joints>", actor.name,
                                actor.particles.size(), actor.diameter, actor.bodies.size(), actor.joints.size());
@@ -83,8 +85,9 @@ void bindActor(py::module_& module)
                "Fills a rigged model (glTF, FBX, Collada, BVH ...) with particles. `particles`: as many as this, or "
                "nearly; or `diameter` [m]; else limbs are two to three particles thick. `height` of the figure [m]; 0: "
                "as the file says.");
-    module.def("load_actor", [](const std::filesystem::path& path) { return std::make_shared<Actor>(readActor(path)); },
-               "path"_a, "Reads an actor file.");
+    module.def(
+        "load_actor", [](const std::filesystem::path& path) { return std::make_shared<Actor>(readActor(path)); },
+        "path"_a, "Reads an actor file.");
 }
 
 }  // namespace knuckle

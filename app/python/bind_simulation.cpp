@@ -93,13 +93,12 @@ py::array_t<uint8_t> renderOf(Session& session, std::array<uint32_t, 2> size, co
 
 void bindSimulation(py::module_& module)
 {
-    py::class_<SessionState, std::shared_ptr<SessionState>>(module, "State",
-                                                            "A state of a simulation, to return to.")
+    py::class_<SessionState, std::shared_ptr<SessionState>>(module, "State", "A state of a simulation, to return to.")
         .def_readonly("steps", &SessionState::steps);
     py::class_<Session>(module, "Simulation",
-                        "A scene on the device. The same scene, program and driver give the same bits. SI units, +Y up; "
-                        "particles and bodies are in the order of the scene. All calls must come from the thread that "
-                        "made it.")
+                        "A scene on the device. The same scene, program and driver give the same bits. SI units, +Y "
+                        "up; particles and bodies are in the order of the scene. All calls must come from the thread "
+                        "that made it.")
         .def(py::init([](std::shared_ptr<Scene> scene, const std::string& device) {
                  return std::make_unique<Session>(std::move(scene), device);
              }),
@@ -111,21 +110,27 @@ void bindSimulation(py::module_& module)
         .def_property_readonly("time", &Session::time, "Since the start [s].")
         .def_property_readonly("steps", &Session::steps, "Since the start.")
         .def_property_readonly("device", &Session::deviceName, "As the driver names it.")
-        .def("positions", [](Session& s) { return arrayOf(s.particles().positions); },
-             "Of all particles [m], float32 [n, 3].")
-        .def("velocities", [](Session& s) { return arrayOf(s.particles().velocities); },
-             "Of all particles [m/s], float32 [n, 3].")
+        .def(
+            "positions", [](Session& s) { return arrayOf(s.particles().positions); },
+            "Of all particles [m], float32 [n, 3].")
+        .def(
+            "velocities", [](Session& s) { return arrayOf(s.particles().velocities); },
+            "Of all particles [m/s], float32 [n, 3].")
         .def("active", &activeOf, "Which particles are there, bool [n]: not what emitters keep, nor what has drained.")
         .def("bodies", &bodiesOf,
              "A dict: 'name', a list, 'object/body' of objects with several; arrays float32 'position' (mass centres) "
              "[n, 3] [m], 'rotation' [n, 4] (quaternions x, y, z, w, from the pose at rest), 'velocity' [n, 3] [m/s], "
              "'angular_velocity' [n, 3] [rad/s], 'mass' [n] [kg].")
-        .def("joints", &jointsOf, "A list of dicts: 'parent' and 'child', names of bodies; 'particles' that they share.")
-        .def("measure", &measuresOf, "How well the state holds together: a dict of depths and gaps [m], speeds, energy.")
-        .def("hash", [](Session& s) { return fmt::format("{:016x}", s.hash()); },
-             "Of the bits of all positions and velocities, as `knuckle render --hash` prints it.")
-        .def("save_state", [](Session& s) { return std::make_shared<SessionState>(s.save()); },
-             "A State, for load_state().")
+        .def("joints", &jointsOf,
+             "A list of dicts: 'parent' and 'child', names of bodies; 'particles' that they share.")
+        .def("measure", &measuresOf,
+             "How well the state holds together: a dict of depths and gaps [m], speeds, energy.")
+        .def(
+            "hash", [](Session& s) { return fmt::format("{:016x}", s.hash()); },
+            "Of the bits of all positions and velocities, as `knuckle render --hash` prints it.")
+        .def(
+            "save_state", [](Session& s) { return std::make_shared<SessionState>(s.save()); },
+            "A State, for load_state().")
         .def("load_state", &Session::load, "state"_a,
              "Returns to a State of a simulation of the same scene; steps from there give the same bits.")
         .def("render", &renderOf, "size"_a = std::array<uint32_t, 2>{640, 360}, "camera"_a = py::none(),

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "app/json/json.h"
-#include "sim/gpu/thread_device.h"
+#include "sim/gpu/device/thread_device.h"
 #include "sim/solver/workload.h"
 
 namespace knuckle {

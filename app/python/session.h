@@ -27,8 +27,8 @@ struct SessionState {
     SolverState solver;
 };
 
-/// A scene on the device, its steps and its pictures, for Python. All calls must come from the thread that made it, else
-/// they throw std::logic_error. Errors as those of Solver and Renderer.
+/// A scene on the device, its steps and its pictures, for Python. All calls must come from the thread that made it,
+/// else they throw std::logic_error. Errors as those of Solver and Renderer.
 class Session {
 public:
     /// @param device as `--device`.

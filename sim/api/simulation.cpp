@@ -4,7 +4,7 @@
 #include <thread>
 #include <utility>
 
-#include "sim/gpu/thread_device.h"
+#include "sim/gpu/device/thread_device.h"
 #include "sim/solver/solver.h"
 #include "sim/solver/workload.h"
 
@@ -19,7 +19,8 @@ constexpr uint32_t STEPS_A_CHECK = 8;
 
 struct Simulation::Impl {
     Impl(World worldIn, const std::string& device)
-        : world(std::move(worldIn)), gpu(deviceOfThread(device, FrameWork{stepWorkload(world), {}})), solver(*gpu, world)
+        : world(std::move(worldIn)), gpu(deviceOfThread(device, FrameWork{stepWorkload(world), {}})),
+          solver(*gpu, world)
     {
     }
 

@@ -8,8 +8,8 @@
 
 #include "sim/base/errors.h"
 #include "sim/base/memory.h"
-#include "sim/gpu/driver_advice.h"
-#include "sim/gpu/egl.h"
+#include "sim/gpu/device/driver_advice.h"
+#include "sim/gpu/device/egl.h"
 
 namespace knuckle {
 

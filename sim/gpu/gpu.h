@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/gpu/driver_threads.h"
+#include "sim/gpu/device/driver_threads.h"
 #include "sim/gpu/shader_source.h"
 
 namespace knuckle {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "sim/gpu/driver_advice.h"
+#include "sim/gpu/device/driver_advice.h"
 
 namespace knuckle {
 

@@ -6,7 +6,7 @@
 
 #include "sim/base/errors.h"
 #include "sim/base/memory.h"
-#include "sim/gpu/driver_advice.h"
+#include "sim/gpu/device/driver_advice.h"
 
 namespace knuckle {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/gpu/driver_threads.h"
+#include "sim/gpu/device/driver_threads.h"
 #include "sim/world/world.h"
 
 namespace knuckle {

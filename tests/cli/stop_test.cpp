@@ -5,7 +5,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "sim/gpu/driver_threads.h"
+#include "sim/gpu/device/driver_threads.h"
 #include "tests/cli/cli_fixture.h"
 
 namespace knuckle {

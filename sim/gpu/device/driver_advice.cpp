@@ -1,4 +1,4 @@
-#include "sim/gpu/driver_advice.h"
+#include "sim/gpu/device/driver_advice.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

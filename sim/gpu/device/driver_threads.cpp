@@ -1,4 +1,4 @@
-#include "sim/gpu/driver_threads.h"
+#include "sim/gpu/device/driver_threads.h"
 
 #include <fmt/format.h>
 

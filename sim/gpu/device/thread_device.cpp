@@ -1,4 +1,4 @@
-#include "sim/gpu/thread_device.h"
+#include "sim/gpu/device/thread_device.h"
 
 #include <stdexcept>
 

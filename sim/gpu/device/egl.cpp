@@ -1,10 +1,10 @@
-#include "sim/gpu/egl.h"
+#include "sim/gpu/device/egl.h"
 
 #include <fmt/format.h>
 
 #include <cstring>
 
-#include "sim/gpu/driver_advice.h"
+#include "sim/gpu/device/driver_advice.h"
 
 namespace knuckle::egl {
 
