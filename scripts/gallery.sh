@@ -37,7 +37,8 @@ small() {
 # Pictures of a scene, from one run of it. Called in conditions, where set -e does not act.
 make() {
     local name=$1 scene=assets/scenes/$1.json frames duration stride count
-    read -r duration frames < <("$program" check "$scene" | sed -nE 's/.*, ([0-9.]+) s \(([0-9]+) frames\)$/\1 \2/p')
+    read -r duration frames < <("$program" check "$scene" |
+        sed -nE 's/.*, ([0-9.]+) s \(([0-9]+) frames\)$/\1 \2/p') || return
     stride=$(awk -v d="$duration" -v n="$frames" -v r=$rate -v m=$most 'BEGIN {
         s = int(n / d / r + 0.5); if (s < n / m) s = int(n / m + 0.999); print s < 1 ? 1 : s }') || return
     rm -rf "$work/frames"
