@@ -17,7 +17,7 @@ layout(location = 0) out float smoothed;   // [m]
 // In radii: the range, how far behind what is beyond it counts, and the filter's half width.
 const float RANGE = 2.8, BEYOND = 0.8, WIDTH = 1.5;
 const float MOST_PIXELS = 100.0;
-const int MOST_TAPS = 16;
+const int MOST_TAPS = 32;
 
 void main()
 {
