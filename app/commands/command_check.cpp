@@ -5,6 +5,8 @@
 
 #include "app/branch/branch.h"
 #include "app/commands/commands.h"
+#include "app/files/actor_check.h"
+#include "app/files/actor_file.h"
 #include "app/files/assets.h"
 #include "app/film/scene_sky.h"
 #include "app/run/counted.h"
@@ -25,27 +27,51 @@ std::string sentenceOf(const World& world, const AnimatedDepth& deep)
                        world.objects[deep.object].name, deep.depth, what, deep.time);
 }
 
+/// "1726 particles, 18 bodies, 17 joints"
+std::string contentsOf(const World& world)
+{
+    return fmt::format("{}, {}, {}", counted(world.particles.size(), "particle"),
+                       counted(world.bodies.size(), "body", "bodies"), counted(jointCount(world), "joint"));
+}
+
+void checkScene(const std::string& path, const std::vector<Override>& overrides, bool quiet)
+{
+    Scene scene = loadScene(findAsset(path), overrides);
+    readSkyOf(scene);
+    const std::unique_ptr<Branch> branch = openBranch(scene);
+    if (quiet) return;
+    if (branch) fmt::print("{}: note: {}\n", path, branch->note());
+    for (const std::string& note : scene.notes) fmt::print("{}: note: {}\n", path, note);
+    for (const std::string& warning : scene.warnings) fmt::print("{}: warning: {}\n", path, warning);
+    const World& world = scene.world;
+    for (const AnimatedDepth& deep : animatedDepths(world, static_cast<float>(scene.simulatedSeconds())))
+        fmt::print("{}: note: {}\n", path, sentenceOf(world, deep));
+    fmt::print("{}: {}, {}, {:g} s ({})\n", path, contentsOf(world), counted(world.colliders.size(), "collider"),
+               scene.duration, counted(scene.frameCount(), "frame"));
+}
+
+void checkActor(const std::string& path, const std::vector<Override>& overrides, bool quiet)
+{
+    if (!overrides.empty())
+        throw InputError(fmt::format("{}: --set changes fields of scenes, and this is an actor; check it alone", path));
+    const Actor actor = readActor(findAsset(path));
+    const World world = worldOf(path, actor);
+    if (quiet) return;
+    for (const std::string& warning : jointWarnings(actor, world)) fmt::print("{}: warning: {}\n", path, warning);
+    double mass = 0.0;
+    for (const Body& body : world.bodies) mass += double{body.mass};
+    fmt::print("{}: {}, particles of {:g} m, {:.4g} kg at {:g} kg/m3\n", path, contentsOf(world), actor.diameter, mass,
+               world.materials[0].density);
+}
+
 int check(const std::vector<std::string>& paths, const std::vector<Override>& overrides, bool quiet)
 {
     int code = EXIT_FINE;
     for (const std::string& path : paths) {
         try {
-            Scene scene = loadScene(findAsset(path), overrides);
-            readSkyOf(scene);
-            const std::unique_ptr<Branch> branch = openBranch(scene);
-            if (quiet) continue;
-            if (branch) fmt::print("{}: note: {}\n", path, branch->note());
-            for (const std::string& note : scene.notes) fmt::print("{}: note: {}\n", path, note);
-            for (const std::string& warning : scene.warnings) fmt::print("{}: warning: {}\n", path, warning);
-            const World& world = scene.world;
-            for (const AnimatedDepth& deep : animatedDepths(world, static_cast<float>(scene.simulatedSeconds())))
-                fmt::print("{}: note: {}\n", path, sentenceOf(world, deep));
-            fmt::print("{}: {}, {}, {}, {}, {:g} s ({})\n", path, counted(world.particles.size(), "particle"),
-                       counted(world.bodies.size(), "body", "bodies"), counted(jointCount(world), "joint"),
-                       counted(world.colliders.size(), "collider"), scene.duration,
-                       counted(scene.frameCount(), "frame"));
+            (isActorFile(findAsset(path)) ? checkActor : checkScene)(path, overrides, quiet);
         } catch (const InputError& error) {
-            // Printed here, so that one bad scene does not hide faults of the next.
+            // Printed here, so that one bad file does not hide faults of the next.
             tellUser(fmt::format("knuckle: {}", error.what()));
             code = EXIT_INPUT;
         }
@@ -57,15 +83,18 @@ int check(const std::vector<std::string>& paths, const std::vector<Override>& ov
 
 void addCheckCommand(CommandLine line)
 {
-    auto* command = line.program.add_subcommand("check", "Check scene files without running them; needs no GPU");
+    auto* command = line.program.add_subcommand("check",
+                                                "Check scene and actor files without running them; needs no GPU");
     command->fallthrough();
-    command->footer("Prints a line for each scene: particles, bodies, joints, colliders, duration.\n"
-                    "Tells where animated objects pass through colliders or each other, and how far.\n"
-                    "Exit code 2 when one of them is wrong; all are checked.\n\nExample:\n"
-                    "  knuckle check assets/scenes/*.json");
+    command->footer(
+        "Prints a line for each scene: particles, bodies, joints, colliders, duration; for each actor its mass\n"
+        "at 1000 kg/m3, and which joints turn otherwise than they say.\n"
+        "Tells where animated objects pass through colliders or each other, and how far.\n"
+        "Exit code 2 when one of them is wrong; all are checked.\n\nExample:\n"
+        "  knuckle check assets/scenes/*.json actors/*.json");
     auto paths = std::make_shared<std::vector<std::string>>();
     auto sets = std::make_shared<std::vector<std::string>>();
-    command->add_option("SCENE", *paths, "Scene files")->required();
+    command->add_option("FILE", *paths, "Scene or actor files")->required();
     command->add_option("--set", *sets, "Change a field first, as of `knuckle render`")
         ->type_name("PATH=VALUE")
         ->take_all()

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "app/files/actor_check.h"
 #include "app/json/fields.h"
 #include "app/json/joint_limits.h"
 #include "app/json/json.h"
@@ -17,6 +18,7 @@ namespace knuckle {
 namespace {
 
 constexpr int ACTOR_VERSION = 1;
+constexpr const char* ACTOR_FORMAT = "knuckle-actor";
 
 /// The shortest decimals that read back as the same float.
 std::string vectorText(const Vector3f& v)
@@ -117,33 +119,6 @@ ActorJoint readJoint(const JsonFile& file, const Json& json, size_t index, const
     return joint;
 }
 
-void checkConsistent(const JsonFile& file, const Actor& actor)
-{
-    if (!actor.signedDistances.empty() && actor.signedDistances.size() != actor.particles.size()) {
-        failAt(file.path, "/signedDistances",
-               fmt::format("has {} entries for {} particles; give one each or none", actor.signedDistances.size(),
-                           actor.particles.size()));
-    }
-    if (!actor.outward.empty() && actor.outward.size() != actor.signedDistances.size()) {
-        failAt(file.path, "/outward",
-               fmt::format("has {} entries for {} signedDistances; give one each or none", actor.outward.size(),
-                           actor.signedDistances.size()));
-    }
-    for (size_t i = 0; i < actor.outward.size(); ++i) {
-        const float length = actor.outward[i].norm();
-        if (length != 0.0f && std::abs(length - 1.0f) > 1e-3f)
-            failAt(file.path, fmt::format("/outward/{}", i), fmt::format("has a length of {}; must be 1 or 0", length));
-    }
-    std::vector<bool> used(actor.particles.size(), false);
-    for (const ActorBody& body : actor.bodies) {
-        for (const uint32_t particle : body.particles) used[particle] = true;
-    }
-    const auto unused = std::find(used.begin(), used.end(), false);
-    if (unused != used.end()) {
-        failAt(file.path, fmt::format("/particles/{}", unused - used.begin()), "belongs to no body; remove it");
-    }
-}
-
 constexpr std::array<const char*, 3> CENTERINGS{"never", "whereFar", "always"};  // in the order of Centering
 
 std::string sourceText(const ModelSource& model)
@@ -179,9 +154,9 @@ ModelSource readSource(const Json& root)
 
 std::string actorText(const Actor& actor)
 {
-    std::string text = fmt::format("{{\n  \"format\": \"knuckle-actor\",\n  \"version\": {},\n  \"name\": {},\n"
+    std::string text = fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n  \"name\": {},\n"
                                    "  \"diameter\": {}",
-                                   ACTOR_VERSION, stringText(actor.name), actor.diameter);
+                                   ACTOR_FORMAT, ACTOR_VERSION, stringText(actor.name), actor.diameter);
     text += sourceText(actor.model);
     text += listText("bodies", actor.bodies, bodyText);
     text += listText("joints", actor.joints, jointText);
@@ -211,6 +186,14 @@ void writeActor(const std::string& path, const Actor& actor)
     writeActor(file, path, actor);
 }
 
+bool isActorFile(const std::string& path)
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return false;
+    const Json root = readJsonFile(path).root;
+    return root.is_object() && root.contains("format") && root["format"] == ACTOR_FORMAT;
+}
+
 Actor readActor(const std::string& path)
 {
     static const Schema schema("actor.schema.json");
@@ -233,7 +216,7 @@ Actor readActor(const std::string& path)
     for (const Json& joint : root["joints"]) {
         actor.joints.push_back(readJoint(file, joint, actor.joints.size(), actor));
     }
-    checkConsistent(file, actor);
+    requireConsistent(path, actor);
     return actor;
 }
 

@@ -13,6 +13,9 @@ std::string actorText(const Actor& actor);
 void writeActor(OutputFile& file, const std::string& path, const Actor& actor);
 /// The same for a file by its name. @throws RunError, InputError.
 void writeActor(const std::string& path, const Actor& actor);
+/// Whether a file says that it is an actor. A pipe, which can only be read once, counts as none. @throws InputError for
+/// one that is no JSON.
+bool isActorFile(const std::string& path);
 /// @throws InputError for a file that is not an actor, of another version, or inconsistent.
 Actor readActor(const std::string& path);
 

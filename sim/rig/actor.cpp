@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sim/base/errors.h"
+#include "sim/rig/particle_owners.h"
 
 namespace knuckle {
 
@@ -14,19 +15,10 @@ namespace {
 /// bends; the next ones, 2 apart, still stop it [diameters].
 constexpr float SELF_MARGIN = 0.5f;
 
-/// Per body, the particles that are added with it, in order: a shared one with the smallest of its bodies, which may
-/// have no others at first.
+/// Per body, the particles that are added with it, in order.
 std::vector<std::vector<uint32_t>> particlesAddedWith(const Actor& actor)
 {
-    std::vector<uint32_t> owners(actor.particles.size(), NO_INDEX);
-    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
-        for (uint32_t particle : actor.bodies[b].particles) {
-            uint32_t& owner = owners[particle];
-            if (owner == NO_INDEX || actor.bodies[b].particles.size() < actor.bodies[owner].particles.size()) {
-                owner = b;
-            }
-        }
-    }
+    const std::vector<uint32_t> owners = particleOwners(actor);
     std::vector<std::vector<uint32_t>> added(actor.bodies.size());
     for (uint32_t b = 0; b < actor.bodies.size(); ++b)
         for (uint32_t particle : actor.bodies[b].particles)
@@ -44,6 +36,20 @@ void reorder(std::vector<T>& items, const std::vector<uint32_t>& order)
 }
 
 }  // namespace
+
+std::vector<uint32_t> particleOwners(const Actor& actor)
+{
+    std::vector<uint32_t> owners(actor.particles.size(), NO_INDEX);
+    for (uint32_t b = 0; b < actor.bodies.size(); ++b) {
+        for (uint32_t particle : actor.bodies[b].particles) {
+            uint32_t& owner = owners[particle];
+            if (owner == NO_INDEX || actor.bodies[b].particles.size() < actor.bodies[owner].particles.size()) {
+                owner = b;
+            }
+        }
+    }
+    return owners;
+}
 
 int32_t parentBody(const Actor& actor, uint32_t body)
 {

@@ -39,14 +39,14 @@ void requireEnding(const std::string& option, const std::string& path, const cha
                                  what, known));
 }
 
-void requireFolder(const std::string& option, const std::string& path)
+void requireFolder(const std::string& option, const std::string& path, const char* what)
 {
     const OutputPlace place = OutputPlace::of(path);
     if (place.kind == OutputPlace::Kind::Stream)
-        throw InputError(fmt::format("{}{}: frames are written into a folder; name one", option, place.given));
+        throw InputError(fmt::format("{}{}: {} are written into a folder; name one", option, place.given, what));
     if (place.kind == OutputPlace::Kind::File && !endingOf(path).empty())
         throw InputError(
-            fmt::format("{0}{1}: frames are written into a folder; name one, or {1}/", option, place.given));
+            fmt::format("{0}{1}: {2} are written into a folder; name one, or {1}/", option, place.given, what));
 }
 
 }  // namespace knuckle

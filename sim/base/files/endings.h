@@ -17,7 +17,7 @@ void requireEnding(const std::string& option, const std::string& path, const cha
                    const std::vector<const char*>& endings);
 
 /// Refuses a folder's name that ends like a file's, unless the folder exists or the name ends with a slash.
-/// @throws InputError.
-void requireFolder(const std::string& option, const std::string& path);
+/// @param what is written there. @throws InputError.
+void requireFolder(const std::string& option, const std::string& path, const char* what = "frames");
 
 }  // namespace knuckle

@@ -16,19 +16,20 @@
 namespace knuckle {
 namespace {
 
-/// Two bodies with one particle in common, at 2000 random positions whose text must give the same bits.
+/// Two bodies with one particle in common, at 2000 random positions, apart along x, whose text must give the same bits.
 Actor makePair()
 {
     Actor actor;
     actor.name = "pa\"ir\\";
     actor.diameter = 0.1f / 3.0f;
     std::mt19937 random(1);
+    std::uniform_real_distribution<float> any(0.0f, 0.5f);
     for (int i = 0; i < 2000; ++i) {
         const auto number = [&] {
             const auto mantissa = static_cast<float>(random());
             return std::ldexp(mantissa, static_cast<int>(random() % 60) - 80);
         };
-        actor.particles.emplace_back(number(), -number(), number());
+        actor.particles.emplace_back(actor.diameter * (static_cast<float>(i) + any(random)), -number(), number());
         actor.signedDistances.push_back(-number());
         actor.outward.push_back(i % 3 == 0 ? Vector3f(0, 0, 0) : Vector3f(number() + 1e-9f, 1, -number()).normalized());
     }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/rig/actor.h"
+#include "sim/world/world.h"
+
+namespace knuckle {
+
+/// Checks that the parts of an actor fit together: each index was found to be in range before.
+/// @param path of its file. @throws InputError for the first fault, with its place in the file.
+void requireConsistent(const std::string& path, const Actor& actor);
+
+/// The actor alone, of the default material. @param path of its file or model. @throws InputError for one that no scene
+/// can have.
+World worldOf(const std::string& path, const Actor& actor);
+
+/// What its joints do otherwise than they say, a line each with its place in the file.
+/// @param world that worldOf() made of the actor.
+std::vector<std::string> jointWarnings(const Actor& actor, const World& world);
+
+}  // namespace knuckle

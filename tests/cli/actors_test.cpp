@@ -1,0 +1,128 @@
+#include "app/json/json.h"
+#include "render/picture/image.h"
+#include "tests/cli/cli_fixture.h"
+#include "tests/places.h"
+
+namespace knuckle {
+namespace {
+
+using test::RunResult;
+
+/// With two models, of boxes, and a file that is none.
+class Actors : public test::CliTest {
+protected:
+    Actors()
+    {
+        std::filesystem::create_directories(folder.path("models/more"));
+        folder.write("models/cube.obj", box("1"));
+        folder.write("models/more/slab.obj", box("0.5"));
+        folder.write("models/broken.obj", "nothing\n");
+        folder.write("models/notes.md", "# Notes\n");
+    }
+    static std::string box(const std::string& height)
+    {
+        std::string text;
+        for (const char* x : {"0", "1"})
+            for (const std::string& y : {std::string("0"), height})
+                for (const char* z : {"0", "1"}) text += std::string("v ") + x + " " + y + " " + z + "\n";
+        return text + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
+    }
+    /// The words of each line of a table.
+    static std::vector<std::vector<std::string>> wordsOf(const std::string& table)
+    {
+        std::vector<std::vector<std::string>> rows;
+        std::istringstream lines(table);
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream words(line);
+            rows.emplace_back();
+            for (std::string word; words >> word;) rows.back().push_back(word);
+        }
+        return rows;
+    }
+};
+
+TEST_F(Actors, AreMadeOfSeveralModelsAndOfThoseInFolders)
+{
+    const RunResult result = run({"voxelize", "models", "models/cube.obj", "--diameter", "0.25", "-o", "out/"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(result.err.starts_with("knuckle: models/broken.obj: ")) << result.err;
+    EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
+    const auto rows = wordsOf(result.out);
+    ASSERT_EQ(rows.size(), 4u) << result.out;
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"model", "particles", "diameter,", "m", "bodies", "joints"}));
+    ASSERT_GT(rows[1].size(), 2u);
+    EXPECT_EQ(rows[1][0], "models/broken.obj");
+    EXPECT_EQ(rows[1][1], "failed:");
+    EXPECT_EQ(rows[2], (std::vector<std::string>{"models/cube.obj", "64", "0.25", "1", "0"}));
+    EXPECT_EQ(rows[3], (std::vector<std::string>{"models/more/slab.obj", "32", "0.25", "1", "0"}));
+    EXPECT_EQ(test::listFolder(folder.path("out")), (std::vector<std::string>{"cube.actor.json", "slab.actor.json"}));
+    // 64 * 1000 kg/m3 * (0.25 m)^3
+    const RunResult check = run({"check", "out/cube.actor.json", "out/slab.actor.json", "tiny.json"});
+    EXPECT_EQ(check.code, 0) << check.err;
+    EXPECT_TRUE(check.out.starts_with("out/cube.actor.json: 64 particles, 1 body, 0 joints, particles of 0.25 m, "
+                                      "1000 kg at 1000 kg/m3\nout/slab.actor.json: 32 particles, "))
+        << check.out;
+    EXPECT_NE(check.out.find("\ntiny.json: "), std::string::npos);
+}
+
+TEST_F(Actors, OfSeveralModelsArePreviewedIntoAFolder)
+{
+    const RunResult result = run(
+        {"-q", "voxelize", "models/cube.obj", "models/more", "--diameter", "0.25", "--preview", "pictures"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out + result.err, "");
+    EXPECT_EQ(test::listFolder(folder.path("pictures")), (std::vector<std::string>{"cube.png", "slab.png"}));
+    EXPECT_EQ(readImage(folder.path("pictures/slab.png")).width, 1280u);
+}
+
+TEST_F(Actors, OfSeveralModelsAreNotWrittenOverEachOther)
+{
+    folder.write("cube.obj", box("0.25"));
+    const RunResult result = run({"voxelize", "cube.obj", "models/cube.obj", "--diameter", "0.25", "-o", "out"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err, "knuckle: models/cube.obj: has the name of cube.obj; rename one, or voxelize it alone\n");
+    EXPECT_EQ(parseJson(test::readText(folder.path("out/cube.actor.json")), "actor")["particles"].size(), 16u);
+    EXPECT_EQ(run({"voxelize", "cube.obj", "models/cube.obj", "--diameter", "0.25"}).code, 0) << "nothing is written";
+    const std::vector<std::string> several{"voxelize", "cube.obj", "models/more/slab.obj"};
+    const auto refused = [&](std::vector<std::string> more, const std::string& message) {
+        more.insert(more.begin(), several.begin(), several.end());
+        expectError(run(more), 2, message);
+    };
+    refused({"-o", "all.json"}, "-o all.json: several models are written into a folder; name one, or all.json/");
+    refused({"-o", "-"}, "-o -: several models are written into a folder; name one");
+    refused({"--preview", "a.png"}, "--preview a.png: several models are written into a folder; name one, or a.png/");
+    std::filesystem::create_directory(folder.path("empty"));
+    const RunResult empty = run({"voxelize", "empty"});
+    EXPECT_EQ(empty.code, 2);
+    EXPECT_TRUE(empty.err.starts_with("knuckle: empty: no model is in this folder; one ends in .glb ")) << empty.err;
+}
+
+TEST_F(Actors, ThatAreWrongAreToldByCheckEachInALine)
+{
+    ASSERT_EQ(run({"-q", "voxelize", "models/cube.obj", "--diameter", "0.25", "-o", "cube.json"}).code, 0);
+    std::string text = test::readText(folder.path("cube.json"));
+    text.replace(text.find("\"particles\": [0, 1"), 18, "\"particles\": [1");
+    folder.write("wrong.json", text);
+    const RunResult result = run({"check", "wrong.json", "cube.json", "tiny.json"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err, "knuckle: wrong.json: /particles/0: belongs to no body; remove it\n");
+    EXPECT_TRUE(result.out.starts_with("cube.json: 64 particles, ")) << result.out;
+    EXPECT_EQ(run({"check", "-q", "cube.json"}).out, "");
+    expectError(run({"check", "cube.json", "--set", "diameter=1"}), 2,
+                "cube.json: --set changes fields of scenes, and this is an actor; check it alone");
+}
+
+TEST_F(Actors, OfTheProjectsOwnModelsAreFine)
+{
+    const RunResult made = run({"-q", "voxelize", test::inSource("assets/models"), "-o", "out"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    std::vector<std::string> words{"check"};
+    for (const std::string& file : test::listFolder(folder.path("out"))) words.push_back("out/" + file);
+    EXPECT_GE(words.size(), 4u);
+    const RunResult check = run(words);
+    EXPECT_EQ(check.err, "");
+    EXPECT_EQ(check.out.find("warning"), std::string::npos) << check.out;
+}
+
+}  // namespace
+}  // namespace knuckle
