@@ -28,6 +28,7 @@ constexpr const char* EXAMPLES =
     "  knuckle render assets/scenes/pile.json -o pile.mp4      a film\n"
     "  knuckle voxelize model.glb -o actor.json --diameter 0.04\n"
     "  knuckle check assets/scenes/*.json\n"
+    "  knuckle doctor                                          what this machine lacks\n"
     "\n"
     "Exit codes:\n"
     "  0 done   1 the run failed (disk full, state became invalid)   2 bad input or options\n"
