@@ -37,6 +37,14 @@ install(EXPORT knuckle FILE knuckle-targets.cmake NAMESPACE knuckle:: DESTINATIO
 install(DIRECTORY ${headers}/knuckle TYPE INCLUDE)
 install(DIRECTORY assets/scenes assets/models assets/schema DESTINATION ${assets})
 install(FILES LICENSE README.md CHANGELOG.md TYPE DOC)
+# Pages of the manual and completions, which the program prints, while installing.
+install(CODE "set(program \"$<TARGET_FILE:knuckle>\")
+  set(made \"${PROJECT_BINARY_DIR}/manual\")
+  include(\"${PROJECT_SOURCE_DIR}/cmake/print_manual.cmake\")")
+install(DIRECTORY ${PROJECT_BINARY_DIR}/manual/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+install(FILES ${PROJECT_BINARY_DIR}/manual/knuckle DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${PROJECT_BINARY_DIR}/manual/_knuckle DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${PROJECT_BINARY_DIR}/manual/knuckle.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 configure_package_config_file(cmake/knuckle-config.cmake.in ${PROJECT_BINARY_DIR}/knuckle-config.cmake
   INSTALL_DESTINATION ${packageFolder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/knuckle-config-version.cmake COMPATIBILITY SameMinorVersion)

@@ -97,7 +97,7 @@ void addUpdate(CLI::App& golden, CommandLine line)
         ->add_option("--other-driver", *other,
                      "Where references are of another driver than this: add some beside them, or replace them")
         ->type_name("beside|replace")
-        ->check(CLI::IsMember({"beside", "replace"}).description(""));
+        ->check(oneOf({"beside", "replace"}));
     command->callback([=] {
         line.chosen = [=] {
             parts->apply(options->states, options->pictures);

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "app/commands/commands.h"
+#include "app/run/driver_report.h"
 #include "app/states/picture_labels.h"
 #include "app/states/states_text.h"
 #include "render/reader/picture_file.h"
@@ -20,21 +21,6 @@ void printDevices(const std::vector<DeviceInfo>& devices)
         fmt::print("{}  {:<8}  {}\n", device.index, device.software ? "software" : "gpu", device.name);
         fmt::print("   {}\n", device.problem.empty() ? device.version : "cannot be used: " + device.problem);
     }
-}
-
-/// Prints the number of threads that a run may choose, and the cost of waking them.
-void printThreads()
-{
-    if (const std::string set = driverThreadsSetting(); !set.empty()) {
-        fmt::print("  threads                     {} ({} is set)\n", set, DRIVER_THREADS_VARIABLE);
-        return;
-    }
-    const uint32_t cores = usableCores();
-    if (cores == 1) fmt::print("  threads                     none: there is one core\n");
-    else
-        fmt::print("  threads                     {} or none, what is faster for the scene (see --stats); waking them "
-                   "takes {:.3f} ms a pass\n",
-                   cores, wakeTime(cores));
 }
 
 int printFile(const std::string& file)
@@ -55,7 +41,7 @@ int printFile(const std::string& file)
 int info(const CommonOptions& common)
 {
     fmt::print("knuckle {}\n\nDevices:\n", KNUCKLE_VERSION);
-    printDevices(listDevices());
+    printDevices(withPointer(listDevices));
     const auto gpu = openGpu(common);
     const DeviceLimits& limits = gpu->limits();
     fmt::print("\n--device {} takes {}: {} ({})\n", common.device, gpu->device().index, gpu->device().name,
@@ -67,7 +53,7 @@ int info(const CommonOptions& common)
     fmt::print("  largest texture             {} pixels\n", limits.textureSize);
     fmt::print("  work groups a dispatch      {}\n", limits.workGroupCountX);
     if (!gpu->device().software) return EXIT_FINE;
-    printThreads();
+    fmt::print("  threads                     {}\n", threadsText());
     fmt::print("  drawing                     {}\n",
                usableCores() > 1 ? "beside simulating the next frame, where both take long enough (see --stats)"
                                  : "after simulating: there is one core");

@@ -1,6 +1,7 @@
 #include "app/commands/command_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -9,6 +10,7 @@
 #include <optional>
 
 #include "app/json/fields.h"
+#include "render/output/film_kinds.h"
 #include "render/output/frame_sink.h"
 #include "sim/base/errors.h"
 
@@ -25,6 +27,34 @@ CLI::Validator numberBetween(double lowest, double highest)
                            value && std::isfinite(*value) ? "out of range" : "no finite number", lowest, highest);
     };
     return {check, fmt::format("FLOAT in [{:g} - {:g}]", lowest, highest)};
+}
+
+CLI::Validator oneOf(const std::vector<std::string>& words)
+{
+    CLI::Validator check = CLI::IsMember(words);
+    return check.description("").name(fmt::format("{}{}", WORDS_PREFIX, fmt::join(words, " ")));
+}
+
+CLI::Validator offered(const std::vector<std::string>& words)
+{
+    return {[](std::string&) { return std::string(); }, "", fmt::format("{}{}", WORDS_PREFIX, fmt::join(words, " "))};
+}
+
+CLI::Validator offered(std::span<const char* const> words)
+{
+    return offered(std::vector<std::string>(words.begin(), words.end()));
+}
+
+std::vector<std::string> codecWords()
+{
+    std::vector<std::string> words;
+    for (const char* ending : FILM_ENDINGS) {
+        const FilmKind* kind = filmKindOf(std::string("film") + ending);
+        if (kind == nullptr || !hasCodecs(*kind)) continue;
+        for (const char* word : kind->codecs)
+            if (std::ranges::count(words, word) == 0) words.emplace_back(word);
+    }
+    return words;
 }
 
 bool isQualityWord(const std::string& quality)
@@ -74,7 +104,7 @@ void addReportOptions(CLI::App& command, ReportOptions& options)
         .add_option_function<std::string>(
             "--annotations", [&options](const std::string&) { options.annotations = true; },
             "Print a line for each image that differs, as a service reads it")
-        ->check(CLI::IsMember({"github"}).description(""))
+        ->check(oneOf({"github"}))
         ->type_name("github")
         ->group(group);
 }

@@ -15,6 +15,7 @@
 #include "app/film/film_outputs.h"
 #include "app/film/replay.h"
 #include "app/film/scene_sky.h"
+#include "app/json/enum_words.h"
 #include "app/run/progress.h"
 #include "app/run/tell.h"
 #include "render/output/film_kinds.h"
@@ -193,31 +194,13 @@ int renderScenes(const RenderOptions& options, const CommonOptions& common)
     return code;
 }
 
-constexpr const char* NOTES =
-    "Frame 1 shows time 0. --frames 100:120 simulates up to frame 100 without drawing. -o may be given more than\n"
-    "once, for frames and films of the same run; a film needs the program ffmpeg.\n"
-    "Ctrl-C finishes the frame and stops: frames and PLY files are kept, films and other exports, which are not\n"
-    "finished, are not. With --checkpoint 30 --resume the same command goes on from there, and from any other end.\n\n";
-
-constexpr const char* MORE_NOTES =
-    "--stats FILE                  JSON: device, passes with ms, particles, how deep contacts are, how far joints\n"
-    "                              gape, density of fluids, strain of soft bodies, stretch of ropes and cloth, energy\n"
-    "docs/output.md has every property, column and key.\n\n"
-    "Examples:\n"
-    "  knuckle render assets/scenes/hello.json --size 640x360\n"
-    "  knuckle render assets/scenes/pile.json -o pile.mp4 --set solver.substeps=8 --stats pile.stats.json\n"
-    "  knuckle render assets/scenes/ragdoll.json --turntable -o around.mp4\n"
-    "  knuckle render assets/scenes/dance.json -o dance.gif --size 480x270 --stride 2\n"
-    "  knuckle render assets/scenes/dance.json -o 'out/dance_####.jpg' --skip-existing\n"
-    "  knuckle render assets/scenes/ragdoll.json --frames 100:120 --export ply=out/particles";
-
 }  // namespace
 
 void addRenderCommand(CommandLine line)
 {
     auto* command = line.program.add_subcommand("render", "Simulate a scene and write its frames or a film");
     command->fallthrough();
-    command->footer(NOTES + exportHelp() + MORE_NOTES);
+    command->footer(renderNotes());
     auto options = std::make_shared<RenderOptions>();
     command->add_option("SCENE", options->scenes, "Scene files, see docs/scene.md; several: each into its own folder");
     // One value per option, so that the scene may follow it.
@@ -232,16 +215,19 @@ void addRenderCommand(CommandLine line)
     command
         ->add_option("--codec", options->film.codec,
                      "Of films: h264, h265, av1 (.mov has none of it), of .webm vp9 or av1 [the first]")
-        ->type_name("NAME");
+        ->type_name("NAME")
+        ->check(offered(codecWords()));
     command
         ->add_option("--quality", options->quality,
                      "How much work a frame is: draft, good or final [the scene's]; a number: of JPEG, 1 to 100 [92]")
-        ->type_name("WORD|N");
+        ->type_name("WORD|N")
+        ->check(offered(EnumWords<Quality>::WORDS));
     command
         ->add_option("--pipe", options->film.pipe,
                      "What goes into a stream, as -o -: a film (mp4, mkv, webm), or frames as they are (y4m, raw: RGB "
                      "of 8 bits) [by the name's ending, else mp4]")
-        ->type_name("KIND");
+        ->type_name("KIND")
+        ->check(offered(PIPE_WORDS));
     command->add_option("--frames", options->frames, "First and last frame to draw [all]")->type_name("A:B");
     command
         ->add_option("--stride", options->stride,

@@ -3,6 +3,7 @@
 #include <exception>
 #include <functional>
 
+#include "app/completion/command_facts.h"
 #include "app/run/exit_codes.h"
 #include "app/run/open_gpu.h"
 
@@ -27,7 +28,13 @@ void addCompareCommand(CommandLine line);
 void addBenchCommand(CommandLine line);
 void addGoldenCommand(CommandLine line);
 void addInfoCommand(CommandLine line);
+void addDoctorCommand(CommandLine line);
 void addSchemaCommand(CommandLine line);
+void addCompletionCommand(CommandLine line);
+void addManualCommand(CommandLine line);
+
+/// What the option tables say, of a command and those below it.
+CommandFacts factsOf(CLI::App& command);
 
 /// Prints one line about what ended a command. @returns its exit code.
 int tellFailure(const std::exception_ptr& failure);

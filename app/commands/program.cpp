@@ -28,6 +28,7 @@ constexpr const char* EXAMPLES =
     "  knuckle render assets/scenes/pile.json -o pile.mp4      a film\n"
     "  knuckle voxelize model.glb -o actor.json --diameter 0.04\n"
     "  knuckle check assets/scenes/*.json\n"
+    "  knuckle doctor                                          what this machine lacks\n"
     "\n"
     "Exit codes:\n"
     "  0 done   1 the run failed (disk full, state became invalid)   2 bad input or options\n"
@@ -39,7 +40,8 @@ void addCommonOptions(CLI::App& program, CommonOptions& common)
         .add_option("--device", common.device,
                     "Where to compute: auto (a GPU, else the CPU), gpu, software, or a number of `knuckle info`")
         ->capture_default_str()
-        ->type_name("NAME");
+        ->type_name("NAME")
+        ->check(offered({"auto", "gpu", "software"}));
     program.add_option("--shaders", common.shaderFolder, "Take shaders from this folder before the built-in ones")
         ->type_name("DIR");
     program.add_flag("--quiet,-q", common.quiet, "Print errors only");
@@ -68,8 +70,9 @@ int parseAndRun(int argc, char** argv)
     program.get_formatter()->column_width(34);
     addCommonOptions(program, common);
     const CommandLine line{program, common, chosen};
-    for (const auto add : {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addGoldenCommand,
-                           addBenchCommand, addInfoCommand, addSchemaCommand}) {
+    for (const auto add :
+         {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addGoldenCommand, addBenchCommand,
+          addInfoCommand, addDoctorCommand, addSchemaCommand, addCompletionCommand, addManualCommand}) {
         add(line);
     }
     try {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/commands/command_options.h"
+#include "app/export/exporters.h"
 #include "app/film/film_outputs.h"
 #include "app/film/film_views.h"
 #include "sim/base/errors.h"
@@ -45,7 +46,30 @@ double stepTime(const Scene& scene)
     return work.milliseconds + DISPATCH * work.dispatches;
 }
 
+constexpr const char* NOTES =
+    "Frame 1 shows time 0. --frames 100:120 simulates up to frame 100 without drawing. -o may be given more than\n"
+    "once, for frames and films of the same run; a film needs the program ffmpeg.\n"
+    "Ctrl-C finishes the frame and stops: frames and PLY files are kept, films and other exports, which are not\n"
+    "finished, are not. With --checkpoint 30 --resume the same command goes on from there, and from any other end.\n\n";
+
+constexpr const char* MORE_NOTES =
+    "--stats FILE                  JSON: device, passes with ms, particles, how deep contacts are, how far joints\n"
+    "                              gape, density of fluids, strain of soft bodies, stretch of ropes and cloth, energy\n"
+    "docs/output.md has every property, column and key.\n\n"
+    "Examples:\n"
+    "  knuckle render assets/scenes/hello.json --size 640x360\n"
+    "  knuckle render assets/scenes/pile.json -o pile.mp4 --set solver.substeps=8 --stats pile.stats.json\n"
+    "  knuckle render assets/scenes/ragdoll.json --turntable -o around.mp4\n"
+    "  knuckle render assets/scenes/dance.json -o dance.gif --size 480x270 --stride 2\n"
+    "  knuckle render assets/scenes/dance.json -o 'out/dance_####.jpg' --skip-existing\n"
+    "  knuckle render assets/scenes/ragdoll.json --frames 100:120 --export ply=out/particles";
+
 }  // namespace
+
+std::string renderNotes()
+{
+    return NOTES + exportHelp() + MORE_NOTES;
+}
 
 std::vector<Override> overridesOf(const RenderOptions& options)
 {

@@ -22,6 +22,9 @@ struct RenderOptions {
     FilmOptions film;
 };
 
+/// What stands below the options in its help.
+std::string renderNotes();
+
 /// What of the command line changes the scene; the schema checks it. @throws InputError.
 std::vector<Override> overridesOf(const RenderOptions& options);
 

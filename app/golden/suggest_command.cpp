@@ -46,7 +46,7 @@ std::vector<Variant> variantsOf(const CommonOptions& common, unsigned repeats)
 {
     std::vector<Variant> variants;
     std::set<std::string> seen;
-    for (const DeviceInfo& device : listDevices()) {
+    for (const DeviceInfo& device : withPointer(listDevices)) {
         if (!isWanted(DeviceChoice::parse(common.device), device) || !device.problem.empty() ||
             !seen.insert(device.name + device.version).second)
             continue;

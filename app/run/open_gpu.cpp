@@ -6,7 +6,8 @@ namespace knuckle {
 
 std::unique_ptr<Gpu> openGpu(const CommonOptions& common, std::optional<FrameWork> work)
 {
-    auto gpu = std::make_unique<Gpu>(DeviceChoice::parse(common.device), common.shaderFolder, work);
+    auto gpu = withPointer(
+        [&] { return std::make_unique<Gpu>(DeviceChoice::parse(common.device), common.shaderFolder, work); });
     if (!gpu->notice().empty() && !common.quiet) tellUser(gpu->notice());
     return gpu;
 }

@@ -17,7 +17,8 @@ TEST_F(Cli, TellsItsVersionAndHelp)
     const RunResult version = run({"--version"});
     EXPECT_EQ(version.code, 0);
     EXPECT_TRUE(version.out.starts_with("knuckle 0.")) << version.out;
-    for (const char* command : {"", "render", "voxelize", "check", "compare", "info", "schema"}) {
+    for (const char* command :
+         {"", "render", "voxelize", "check", "compare", "info", "schema", "doctor", "completion", "man"}) {
         const RunResult help = run(*command ? std::vector<std::string>{command, "--help"}
                                             : std::vector<std::string>{"--help"});
         EXPECT_EQ(help.code, 0);

@@ -170,6 +170,7 @@ TEST_F(Failure, ToFindADeviceSaysSo)
         {"render", scene}, {.folder = folder.path(), .environment = {"__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"}});
     EXPECT_EQ(result.code, 3) << result.err;
     EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
+    EXPECT_TRUE(result.err.ends_with("; `knuckle doctor` says more\n")) << result.err;
 }
 
 }  // namespace

@@ -42,6 +42,12 @@ version=$("$prefix/bin/knuckle" --version)
 [[ $version == "knuckle $(<"$root/VERSION")" ]] || fail "--version says $version"
 quietly "$prefix/bin/knuckle" check assets/scenes/hello.json assets/scenes/dance.json
 cd "$root"
+for page in knuckle knuckle-render knuckle-doctor; do
+    grep -q '^\.TH ' "$prefix/share/man/man1/$page.1" || fail "no page of the manual: $page.1"
+done
+for file in bash-completion/completions/knuckle zsh/site-functions/_knuckle fish/vendor_completions.d/knuckle.fish; do
+    grep -q render "$prefix/share/$file" || fail "no completion: $file"
+done
 
 # Installed.
 quietly cmake -S docs/example -B "$folder/installed" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$prefix"

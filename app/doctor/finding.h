@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace knuckle {
+
+enum class Verdict {
+    Ok,
+    Note,  ///< Good to know; everything works all the same.
+    Wrong  ///< Something that the program can do does not work here.
+};
+
+/// What `knuckle doctor` says in one line.
+struct Finding {
+    Verdict verdict = Verdict::Ok;
+    std::string what;
+    std::string remedy = {};  ///< What to do; empty: nothing.
+};
+using Findings = std::vector<Finding>;
+
+/// Without the newline: "WRONG  what; remedy".
+std::string lineOf(const Finding& finding);
+
+}  // namespace knuckle

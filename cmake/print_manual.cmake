@@ -1,0 +1,15 @@
+# What the program prints about itself, as files in `made`: man1/*.1, knuckle, _knuckle, knuckle.fish.
+function(print file)
+  execute_process(COMMAND ${program} ${ARGN} OUTPUT_FILE ${file} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+file(MAKE_DIRECTORY ${made}/man1)
+execute_process(COMMAND ${program} man --list OUTPUT_VARIABLE commands OUTPUT_STRIP_TRAILING_WHITESPACE
+  COMMAND_ERROR_IS_FATAL ANY)
+string(REPLACE "\n" ";" commands "${commands}")
+print(${made}/man1/knuckle.1 man)
+foreach(command IN LISTS commands)
+  print(${made}/man1/knuckle-${command}.1 man ${command})
+endforeach()
+print(${made}/knuckle completion bash)
+print(${made}/_knuckle completion zsh)
+print(${made}/knuckle.fish completion fish)

@@ -1,0 +1,143 @@
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "app/doctor/bounded.h"
+#include "app/doctor/driver_findings.h"
+#include "sim/base/errors.h"
+#include "tests/cli/cli_fixture.h"
+
+namespace knuckle {
+namespace {
+
+using test::RunResult;
+using Doctor = test::CliTest;
+
+/// The lines that contain the text.
+std::string linesWith(const std::string& text, const std::string& word)
+{
+    std::string found;
+    for (size_t at = 0; at < text.size();) {
+        const size_t end = std::min(text.find('\n', at), text.size());
+        const std::string line = text.substr(at, end - at);
+        if (line.find(word) != std::string::npos) found += line + "\n";
+        at = end + 1;
+    }
+    return found;
+}
+
+/// A machine that differs from this one by a folder with a program of that name.
+std::string programThat(const test::TempFolder& folder, const std::string& does)
+{
+    std::filesystem::create_directory(folder.path("bin"));
+    const std::string program = folder.write("bin/ffmpeg", "#!/bin/sh\n" + does + "\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    return "PATH=" + folder.path("bin") + ":/bin:/usr/bin";
+}
+
+TEST_F(Doctor, FindsNothingWrongWhereFilmsAreMade)
+{
+    const RunResult result = run({"doctor"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(linesWith(result.out, "WRONG"), "");
+    for (const char* line : {"ok     library libEGL.so.1", "ok     --device software takes device",
+                             "ok     driver threads: ", "ok     memory: ", "ok     open files: ", "encodes H.264"})
+        EXPECT_NE(linesWith(result.out, line), "") << line << "\n" << result.out;
+    EXPECT_NE(linesWith(result.out, "can simulate and draw here."), "") << result.out;
+    EXPECT_EQ(run({"doctor", "--quiet"}).out, "");
+    EXPECT_TRUE(madeFiles().empty());
+}
+
+TEST_F(Doctor, TellsThatNoDriverIsThere)
+{
+    const RunResult result = run({"doctor"}, {.environment = {"__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"}});
+    EXPECT_EQ(result.code, 3) << result.out;
+    EXPECT_NE(linesWith(result.out, "WRONG  EGL drivers: no file in /nonexistent names one; install"), "")
+        << result.out;
+    EXPECT_NE(linesWith(result.out, "WRONG  --device software: "), "") << result.out;
+    EXPECT_NE(linesWith(result.out, "Nothing can be simulated"), "");
+    const std::string file = folder.write("vendor.json", R"({ "ICD": { "library_path": "libEGL_none.so.0" } })");
+    const RunResult library = run({"doctor"}, {.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=" + file}});
+    EXPECT_EQ(library.code, 3);
+    EXPECT_NE(linesWith(library.out, "WRONG  EGL driver of " + file + ": libEGL_none.so.0"), "") << library.out;
+}
+
+TEST_F(Doctor, TellsWhatFilmsLack)
+{
+    const RunResult none = run({"doctor"}, {.environment = {"PATH=/nonexistent"}});
+    EXPECT_EQ(none.code, 0);
+    EXPECT_EQ(linesWith(none.out, "WRONG"),
+              "WRONG  ffmpeg is not in PATH: frames can be made, films cannot; install it "
+              "(apt install ffmpeg)\n");
+    // One that has no VP9.
+    const std::string path = programThat(folder, "case \"$*\" in *libvpx-vp9*) exit 1;; esac");
+    const RunResult some = run({"doctor"}, {.environment = {path}});
+    EXPECT_EQ(some.code, 0);
+    EXPECT_EQ(linesWith(some.out, "WRONG"), "WRONG  ffmpeg cannot encode VP9: no .webm; install an ffmpeg that has it, "
+                                            "or end films in something else\n");
+    EXPECT_NE(linesWith(some.out, "bin/ffmpeg encodes H.264, H.265, AV1, GIF, WebP, APNG"), "") << some.out;
+}
+
+TEST_F(Doctor, TellsLimitsThatAreTooLow)
+{
+    const auto few = [] {
+        const rlimit files{64, 64};
+        setrlimit(RLIMIT_NOFILE, &files);
+    };
+    const std::string environment = "MESA_SHADER_CACHE_DIR=/proc/none";
+    const RunResult result = run({"doctor"}, {.environment = {environment, "DISPLAY=:77"}, .inChild = few});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(linesWith(result.out, "WRONG"), "WRONG  open files: 64 allowed; raise it (ulimit -n 1024)\n");
+    EXPECT_NE(linesWith(result.out, "note   shader cache: /proc/none cannot be written; set"), "") << result.out;
+    EXPECT_NE(linesWith(result.out, "note   DISPLAY=:77 points nowhere"), "") << result.out;
+    const auto little = [] {
+        const rlimit space{rlim_t{150} << 20, rlim_t{150} << 20};
+        setrlimit(RLIMIT_AS, &space);
+    };
+    const RunResult starved = run({"doctor"}, {.inChild = little});
+    EXPECT_EQ(starved.code, 3) << starved.out << starved.err;
+    EXPECT_NE(linesWith(starved.out, "WRONG  address space is limited to 150 MiB; raise it"), "") << starved.out;
+}
+
+TEST_F(Doctor, KnowsGpusThatCannotBeUsed)
+{
+    EXPECT_TRUE(findNvidia(folder.path()).empty());
+    std::filesystem::create_directories(folder.path("dev/dri"));
+    folder.write("dev/nvidiactl", "");
+    const Findings without = findNvidia(folder.path());
+    ASSERT_EQ(without.size(), 1u);
+    EXPECT_EQ(without[0].verdict, Verdict::Wrong);
+    EXPECT_NE(without[0].remedy.find("NVIDIA_DRIVER_CAPABILITIES=all"), std::string::npos);
+    std::filesystem::create_directories(folder.path("usr/share/glvnd/egl_vendor.d"));
+    folder.write("usr/share/glvnd/egl_vendor.d/10_nvidia.json",
+                 R"({ "ICD": { "library_path": "libEGL_nvidia.so.0" } })");
+    EXPECT_EQ(findNvidia(folder.path()).at(0).verdict, Verdict::Ok);
+
+    EXPECT_EQ(findGpuFiles(folder.path()).at(0).verdict, Verdict::Note);
+    folder.write("dev/dri/renderD128", "");
+    EXPECT_EQ(findGpuFiles(folder.path()).at(0).verdict, Verdict::Ok);
+    if (geteuid() == 0) return;  // may use all files
+    std::filesystem::permissions(folder.path("dev/dri/renderD128"), std::filesystem::perms::none);
+    EXPECT_EQ(findGpuFiles(folder.path()).at(0).verdict, Verdict::Wrong);
+}
+
+TEST(Bounded, OutlivesWhatCrashesAndHangs)
+{
+    EXPECT_EQ(runBounded([] { return std::string("fine"); }, 5).text, "fine");
+    EXPECT_EQ(runBounded([]() -> std::string { throw InputError("no such thing"); }, 5).failure, "no such thing");
+    EXPECT_NE(runBounded([]() -> std::string { std::abort(); }, 5).failure.find("crashed"), std::string::npos);
+    const std::string late = runBounded(
+                                 []() -> std::string {
+                                     for (;;) pause();
+                                 },
+                                 1)
+                                 .failure;
+    EXPECT_TRUE(late.starts_with("took more than")) << late;
+}
+
+}  // namespace
+}  // namespace knuckle
