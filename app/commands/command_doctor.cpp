@@ -19,8 +19,8 @@ int doctor(const CommonOptions& common)
     for (const Findings& more : {findMachine(driver.software), findFiles()})
         all.insert(all.end(), more.begin(), more.end());
     for (const Finding& finding : all)
-        if (!common.quiet || finding.verdict == Verdict::Wrong) fmt::print("{}\n", lineOf(finding));
-    const auto wrong = std::ranges::count(all, Verdict::Wrong, &Finding::verdict);
+        if (!common.quiet || finding.health == Health::Wrong) fmt::print("{}\n", lineOf(finding));
+    const auto wrong = std::ranges::count(all, Health::Wrong, &Finding::health);
     if (!driver.usable) fmt::print("\nNothing can be simulated or drawn here.\n");
     else if (!common.quiet)
         fmt::print("\nknuckle {} can simulate and draw here{}.\n", KNUCKLE_VERSION,

@@ -49,8 +49,8 @@ void findLibraries(Findings& findings)
 {
     const auto library = [&](const std::vector<std::string>& names, const std::string& remedy) {
         const std::string problem = loadProblem(names);
-        if (problem.empty()) findings.push_back({Verdict::Ok, fmt::format("library {}", names[0])});
-        else findings.push_back({Verdict::Wrong, fmt::format("library {}: {}", names[0], problem), remedy});
+        if (problem.empty()) findings.push_back({Health::Ok, fmt::format("library {}", names[0])});
+        else findings.push_back({Health::Wrong, fmt::format("library {}: {}", names[0], problem), remedy});
     };
     library({"libEGL.so.1"}, "install libegl1, and libgl1-mesa-dri (Mesa) or the vendor's driver");
     library({"libOpenGL.so.0", "libGL.so.1"}, "install libopengl0");
@@ -60,15 +60,15 @@ void findVendors(Findings& findings, bool usable)
 {
     const std::vector<EglVendor> vendors = eglVendors("");
     if (vendors.empty())
-        findings.push_back({usable ? Verdict::Note : Verdict::Wrong,
+        findings.push_back({usable ? Health::Note : Health::Wrong,
                             fmt::format("EGL drivers: no file in {} names one", eglVendorPlaces("")),
                             usable ? "" : MESA});
     for (const EglVendor& vendor : vendors) {
         const std::string problem = vendor.library.empty() ? "it names no library" : loadProblem({vendor.library});
         if (problem.empty())
-            findings.push_back({Verdict::Ok, fmt::format("EGL driver {}, of {}", vendor.library, vendor.file)});
+            findings.push_back({Health::Ok, fmt::format("EGL driver {}, of {}", vendor.library, vendor.file)});
         else
-            findings.push_back({usable ? Verdict::Note : Verdict::Wrong,
+            findings.push_back({usable ? Health::Note : Health::Wrong,
                                 fmt::format("EGL driver of {}: {}", vendor.file, problem),
                                 "install the driver that it belongs to, or remove the file"});
     }
@@ -93,19 +93,19 @@ Json chosenAsJson(const CommonOptions& common)
 void findDevices(DriverFindings& driver, const BoundedResult& listed)
 {
     if (!listed.failure.empty()) {
-        driver.findings.push_back({Verdict::Wrong, "devices: " + listed.failure, driver.usable ? "" : MESA});
+        driver.findings.push_back({Health::Wrong, "devices: " + listed.failure, driver.usable ? "" : MESA});
         return;
     }
     const Json devices = Json::parse(listed.text);
-    if (devices.empty()) driver.findings.push_back({Verdict::Wrong, "devices: EGL lists none", MESA});
+    if (devices.empty()) driver.findings.push_back({Health::Wrong, "devices: EGL lists none", MESA});
     for (const Json& device : devices) {
         const std::string name = fmt::format("device {} ({}): {}", device[0].get<uint32_t>(),
                                              device[1].get<bool>() ? "software" : "gpu", device[2].get<std::string>());
         const std::string problem = device[4];
         if (problem.empty())
-            driver.findings.push_back({Verdict::Ok, fmt::format("{}, OpenGL {}", name, device[3].get<std::string>())});
+            driver.findings.push_back({Health::Ok, fmt::format("{}, OpenGL {}", name, device[3].get<std::string>())});
         else
-            driver.findings.push_back({driver.usable ? Verdict::Note : Verdict::Wrong,
+            driver.findings.push_back({driver.usable ? Health::Note : Health::Wrong,
                                        fmt::format("{} cannot be used: {}", name, problem),
                                        driver.usable ? "" : "update its driver, or choose another --device"});
     }
@@ -123,17 +123,17 @@ DriverFindings findDriver(const CommonOptions& common)
     findVendors(driver.findings, driver.usable);
     findDevices(driver, listed);
     if (!driver.usable) {
-        driver.findings.push_back({Verdict::Wrong, fmt::format("--device {}: {}", common.device, chosen.failure)});
+        driver.findings.push_back({Health::Wrong, fmt::format("--device {}: {}", common.device, chosen.failure)});
     } else {
         const Json device = Json::parse(chosen.text);
         driver.software = device[1];
         driver.findings.push_back(
-            {Verdict::Ok, fmt::format("--device {} takes device {}, which compiles shaders; its "
-                                      "storage buffers have {} MiB",
-                                      common.device, device[0].get<uint32_t>(), device[3].get<int64_t>() >> 20)});
+            {Health::Ok, fmt::format("--device {} takes device {}, which compiles shaders; its "
+                                     "storage buffers have {} MiB",
+                                     common.device, device[0].get<uint32_t>(), device[3].get<int64_t>() >> 20)});
     }
     if (const std::string set = driverVariables(); !set.empty())
-        driver.findings.push_back({driver.usable ? Verdict::Note : Verdict::Wrong, "the environment has " + set,
+        driver.findings.push_back({driver.usable ? Health::Note : Health::Wrong, "the environment has " + set,
                                    driver.usable ? "" : "unset that"});
     for (const Findings& more : {findGpuFiles(""), findNvidia("")})
         driver.findings.insert(driver.findings.end(), more.begin(), more.end());
@@ -150,17 +150,17 @@ Findings findGpuFiles(const std::string& root)
         const std::string file = entry->path().string();
         if (!entry->path().filename().string().starts_with("renderD")) continue;
         ++count;
-        if (access(file.c_str(), R_OK | W_OK) == 0) findings.push_back({Verdict::Ok, file + " can be used"});
+        if (access(file.c_str(), R_OK | W_OK) == 0) findings.push_back({Health::Ok, file + " can be used"});
         else
-            findings.push_back({Verdict::Wrong, file + " is a GPU that this user may not use",
+            findings.push_back({Health::Wrong, file + " is a GPU that this user may not use",
                                 "add the user to its group (usermod -aG render,video USER) and log in again; to a "
                                 "container give --device /dev/dri --group-add render"});
     }
     if (count == 0 && error && error != std::errc::no_such_file_or_directory)
-        findings.push_back({Verdict::Wrong, fmt::format("{} cannot be read: {}", folder, error.message()),
+        findings.push_back({Health::Wrong, fmt::format("{} cannot be read: {}", folder, error.message()),
                             "add the user to the groups render and video"});
     else if (count == 0)
-        findings.push_back({Verdict::Note, fmt::format("no GPU for Mesa: there is no {}/renderD*", folder)});
+        findings.push_back({Health::Note, fmt::format("no GPU for Mesa: there is no {}/renderD*", folder)});
     return findings;
 }
 
@@ -173,8 +173,8 @@ Findings findNvidia(const std::string& root)
     const std::vector<EglVendor> vendors = eglVendors(root);
     const bool isKnown = std::ranges::any_of(
         vendors, [](const EglVendor& vendor) { return vendor.library.find("libEGL_nvidia") != std::string::npos; });
-    if (isKnown) return {{Verdict::Ok, "NVIDIA: its GPU is there, and so is its EGL driver"}};
-    return {{Verdict::Wrong,
+    if (isKnown) return {{Health::Ok, "NVIDIA: its GPU is there, and so is its EGL driver"}};
+    return {{Health::Wrong,
              "NVIDIA: its GPU is there, but no EGL driver: " + eglVendorPlaces(root) + " names no libEGL_nvidia",
              "start the container with NVIDIA_DRIVER_CAPABILITIES=all (compute,utility is no OpenGL); elsewhere "
              "install the driver's libraries for OpenGL (libnvidia-gl)"}};

@@ -59,7 +59,7 @@ void findFfmpeg(Findings& findings)
 {
     const std::string ffmpeg = findProgram("ffmpeg");
     if (ffmpeg.empty()) {
-        findings.push_back({Verdict::Wrong, "ffmpeg is not in PATH: frames can be made, films cannot",
+        findings.push_back({Health::Wrong, "ffmpeg is not in PATH: frames can be made, films cannot",
                             "install it (apt install ffmpeg)"});
         return;
     }
@@ -69,14 +69,14 @@ void findFfmpeg(Findings& findings)
         const std::string title = encodersOf(codec.word)[0]->title;
         if (isEncoded(ffmpeg, codec)) fine.push_back(title);
         else if (!codec.first.empty())
-            lacking.push_back({Verdict::Wrong,
+            lacking.push_back({Health::Wrong,
                                fmt::format("ffmpeg cannot encode {}: no {}", title, fmt::join(codec.first, ", ")),
                                "install an ffmpeg that has it, or end films in something else"});
         else
-            lacking.push_back({Verdict::Note,
-                               fmt::format("ffmpeg cannot encode {}: --codec {} is not to be had", title, codec.word)});
+            lacking.push_back(
+                {Health::Note, fmt::format("ffmpeg cannot encode {}: --codec {} is not to be had", title, codec.word)});
     }
-    if (!fine.empty()) findings.push_back({Verdict::Ok, fmt::format("{} encodes {}", ffmpeg, fmt::join(fine, ", "))});
+    if (!fine.empty()) findings.push_back({Health::Ok, fmt::format("{} encodes {}", ffmpeg, fmt::join(fine, ", "))});
     findings.insert(findings.end(), lacking.begin(), lacking.end());
 }
 
@@ -87,14 +87,14 @@ Findings findFiles()
     Findings findings;
     findFfmpeg(findings);
     const std::string font = OverlaySettings{}.font;
-    if (access(font.c_str(), R_OK) == 0) findings.push_back({Verdict::Ok, "font " + font});
+    if (access(font.c_str(), R_OK) == 0) findings.push_back({Health::Ok, "font " + font});
     else
-        findings.push_back({Verdict::Wrong, fmt::format("font {} cannot be read: no captions and labels", font),
+        findings.push_back({Health::Wrong, fmt::format("font {} cannot be read: no captions and labels", font),
                             "install it (apt install fonts-dejavu-core)"});
     const std::string scene = findAsset(SCENE);
-    if (access(scene.c_str(), R_OK) == 0) findings.push_back({Verdict::Ok, "assets: " + scene});
+    if (access(scene.c_str(), R_OK) == 0) findings.push_back({Health::Ok, "assets: " + scene});
     else
-        findings.push_back({Verdict::Note, fmt::format("assets: there is no {} here, and none is installed", SCENE),
+        findings.push_back({Health::Note, fmt::format("assets: there is no {} here, and none is installed", SCENE),
                             "give paths of scenes, or install (cmake --install)"});
     return findings;
 }

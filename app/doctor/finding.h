@@ -5,7 +5,7 @@
 
 namespace knuckle {
 
-enum class Verdict {
+enum class Health {
     Ok,
     Note,  ///< Good to know; everything works all the same.
     Wrong  ///< Something that the program can do does not work here.
@@ -13,7 +13,7 @@ enum class Verdict {
 
 /// What `knuckle doctor` says in one line.
 struct Finding {
-    Verdict verdict = Verdict::Ok;
+    Health health = Health::Ok;
     std::string what;
     std::string remedy = {};  ///< What to do; empty: nothing.
 };

@@ -64,7 +64,7 @@ void findMemory(Findings& findings)
 {
     if (const auto available = availableMemory()) {
         const bool isEnough = *available >= MEMORY;
-        findings.push_back({isEnough ? Verdict::Ok : Verdict::Wrong,
+        findings.push_back({isEnough ? Health::Ok : Health::Wrong,
                             fmt::format("memory: {} MiB are free", *available >> 20),
                             isEnough ? ""
                                      : fmt::format("small scenes take up to {} MiB: end other programs, or give "
@@ -73,7 +73,7 @@ void findMemory(Findings& findings)
     }
     if (const auto limit = addressSpaceLimit()) {
         const bool isEnough = *limit >= addressSpaceInUse() + MEMORY;
-        findings.push_back({isEnough ? Verdict::Note : Verdict::Wrong,
+        findings.push_back({isEnough ? Health::Note : Health::Wrong,
                             fmt::format("address space is limited to {} MiB", *limit >> 20),
                             isEnough ? "" : "raise it (ulimit -v unlimited)"});
     }
@@ -85,12 +85,12 @@ void findLimits(Findings& findings)
     if (getrlimit(RLIMIT_NOFILE, &files) == 0) {
         const bool isEnough = files.rlim_cur == RLIM_INFINITY || files.rlim_cur >= FILES;
         const std::string count = files.rlim_cur == RLIM_INFINITY ? "any number" : std::to_string(files.rlim_cur);
-        findings.push_back({isEnough ? Verdict::Ok : Verdict::Wrong, fmt::format("open files: {} allowed", count),
+        findings.push_back({isEnough ? Health::Ok : Health::Wrong, fmt::format("open files: {} allowed", count),
                             isEnough ? "" : "raise it (ulimit -n 1024)"});
     }
     rlimit size{};
     if (getrlimit(RLIMIT_FSIZE, &size) == 0 && size.rlim_cur != RLIM_INFINITY)
-        findings.push_back({Verdict::Note, fmt::format("files may have {} KiB at most", size.rlim_cur >> 10),
+        findings.push_back({Health::Note, fmt::format("files may have {} KiB at most", size.rlim_cur >> 10),
                             "raise it (ulimit -f unlimited) where films are longer"});
 }
 
@@ -109,21 +109,20 @@ void findShaderCache(Findings& findings)
                                    "compiles all shaders anew";
     const std::string off = variable("MESA_SHADER_CACHE_DISABLE");
     if (off == "1" || off == "true") {
-        findings.push_back(
-            {Verdict::Note, "shader cache: MESA_SHADER_CACHE_DISABLE is set, so each run compiles anew"});
+        findings.push_back({Health::Note, "shader cache: MESA_SHADER_CACHE_DISABLE is set, so each run compiles anew"});
         return;
     }
     const std::string folder = shaderCache();
     if (folder.empty()) {
-        findings.push_back({Verdict::Note, "shader cache: there is no HOME", REMEDY});
+        findings.push_back({Health::Note, "shader cache: there is no HOME", REMEDY});
         return;
     }
     std::error_code error;
     fs::path there = fs::absolute(folder, error);
     while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
     if (fs::is_directory(there, error) && access(there.c_str(), W_OK | X_OK) == 0)
-        findings.push_back({Verdict::Ok, fmt::format("shader cache: in {}", folder)});
-    else findings.push_back({Verdict::Note, fmt::format("shader cache: {} cannot be written", folder), REMEDY});
+        findings.push_back({Health::Ok, fmt::format("shader cache: in {}", folder)});
+    else findings.push_back({Health::Note, fmt::format("shader cache: {} cannot be written", folder), REMEDY});
 }
 
 /// Displays are not needed, whatever these say.
@@ -131,7 +130,7 @@ void findDisplays(Findings& findings)
 {
     std::error_code ignored;
     const auto note = [&](const std::string& setting) {
-        findings.push_back({Verdict::Note, setting + " points nowhere, which does not matter: no window is opened"});
+        findings.push_back({Health::Note, setting + " points nowhere, which does not matter: no window is opened"});
     };
     const std::string x = variable("DISPLAY"), wayland = variable("WAYLAND_DISPLAY");
     if (x.size() > 1 && x[0] == ':' && std::isdigit(static_cast<unsigned char>(x[1]))) {
@@ -150,9 +149,9 @@ Findings findMachine(bool software)
     Findings findings;
     if (software) {
         const BoundedResult threads = runBounded(threadsText, THREAD_SECONDS);
-        if (threads.failure.empty()) findings.push_back({Verdict::Ok, "driver threads: " + threads.text});
+        if (threads.failure.empty()) findings.push_back({Health::Ok, "driver threads: " + threads.text});
         else
-            findings.push_back({Verdict::Wrong, "driver threads: " + threads.failure,
+            findings.push_back({Health::Wrong, "driver threads: " + threads.failure,
                                 "allow more processes (ulimit -u), or set LP_NUM_THREADS=0"});
     }
     findMemory(findings);

@@ -110,19 +110,19 @@ TEST_F(Doctor, KnowsGpusThatCannotBeUsed)
     folder.write("dev/nvidiactl", "");
     const Findings without = findNvidia(folder.path());
     ASSERT_EQ(without.size(), 1u);
-    EXPECT_EQ(without[0].verdict, Verdict::Wrong);
+    EXPECT_EQ(without[0].health, Health::Wrong);
     EXPECT_NE(without[0].remedy.find("NVIDIA_DRIVER_CAPABILITIES=all"), std::string::npos);
     std::filesystem::create_directories(folder.path("usr/share/glvnd/egl_vendor.d"));
     folder.write("usr/share/glvnd/egl_vendor.d/10_nvidia.json",
                  R"({ "ICD": { "library_path": "libEGL_nvidia.so.0" } })");
-    EXPECT_EQ(findNvidia(folder.path()).at(0).verdict, Verdict::Ok);
+    EXPECT_EQ(findNvidia(folder.path()).at(0).health, Health::Ok);
 
-    EXPECT_EQ(findGpuFiles(folder.path()).at(0).verdict, Verdict::Note);
+    EXPECT_EQ(findGpuFiles(folder.path()).at(0).health, Health::Note);
     folder.write("dev/dri/renderD128", "");
-    EXPECT_EQ(findGpuFiles(folder.path()).at(0).verdict, Verdict::Ok);
+    EXPECT_EQ(findGpuFiles(folder.path()).at(0).health, Health::Ok);
     if (geteuid() == 0) return;  // may use all files
     std::filesystem::permissions(folder.path("dev/dri/renderD128"), std::filesystem::perms::none);
-    EXPECT_EQ(findGpuFiles(folder.path()).at(0).verdict, Verdict::Wrong);
+    EXPECT_EQ(findGpuFiles(folder.path()).at(0).health, Health::Wrong);
 }
 
 TEST(Bounded, OutlivesWhatCrashesAndHangs)
