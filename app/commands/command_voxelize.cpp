@@ -3,7 +3,7 @@
 
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
-#include "app/commands/voxelize_models.h"
+#include "app/commands/voxelize/voxelize_models.h"
 
 namespace knuckle {
 

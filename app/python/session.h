@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include "app/scene/scene_file.h"
@@ -18,7 +19,11 @@ struct PictureWish {
     std::string quality;                 ///< draft, good or final; empty: the scene's.
     std::string camera;                  ///< JSON of a camera as scene files have it; empty: the scene's shots.
 
-    auto operator<=>(const PictureWish&) const = default;
+    bool operator<(const PictureWish& other) const
+    {
+        return std::tie(width, height, quality, camera) <
+               std::tie(other.width, other.height, other.quality, other.camera);
+    }
 };
 
 /// A state of a Session, to return to.

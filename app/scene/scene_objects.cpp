@@ -98,7 +98,7 @@ Throw readThrow(const Json& release)
 /// Of a rigid object. @throws InputError where it is not `fixed` until a time.
 Throw throwOf(const Entry& entry, bool held, float time)
 {
-    const Throw thrown = readThrow(entry.json["release"]);
+    Throw thrown = readThrow(entry.json["release"]);
     if (thrown.given != nullptr && (!held || std::isinf(time)))
         entry.fail(thrown.given, "is for what is `fixed` until the release's `time`; give both, or take it away");
     return thrown;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "app/commands/actor_table.h"
+#include "app/commands/voxelize/actor_table.h"
 #include "app/files/joints_file.h"
 #include "app/scene/scene_file.h"
 #include "sim/base/errors.h"

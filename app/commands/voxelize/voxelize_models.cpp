@@ -1,4 +1,4 @@
-#include "app/commands/voxelize_models.h"
+#include "app/commands/voxelize/voxelize_models.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,11 +1,11 @@
-#include "app/commands/voxelize_model.h"
+#include "app/commands/voxelize/voxelize_model.h"
 
 #include <fmt/format.h>
 
 #include <optional>
 
-#include "app/commands/actor_preview.h"
-#include "app/commands/actor_table.h"
+#include "app/commands/voxelize/actor_preview.h"
+#include "app/commands/voxelize/actor_table.h"
 #include "app/files/actor_check.h"
 #include "app/files/actor_file.h"
 #include "app/files/joints_file.h"

@@ -1,4 +1,4 @@
-#include "app/commands/actor_table.h"
+#include "app/commands/voxelize/actor_table.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/commands/voxelize_model.h"
+#include "app/commands/voxelize/voxelize_model.h"
 
 namespace knuckle {
 

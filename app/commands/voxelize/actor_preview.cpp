@@ -1,4 +1,4 @@
-#include "app/commands/actor_preview.h"
+#include "app/commands/voxelize/actor_preview.h"
 
 #include <algorithm>
 #include <array>
