@@ -89,7 +89,7 @@ TEST_F(Actors, OfSeveralModelsAreNotWrittenOverEachOther)
         expectError(run(more), 2, message);
     };
     refused({"-o", "all.json"}, "-o all.json: several models are written into a folder; name one, or all.json/");
-    refused({"-o", "-"}, "-o -: several models are written into a folder; name one");
+    refused({"-o", "-"}, "-o standard output: several models are written into a folder; name one");
     refused({"--preview", "a.png"}, "--preview a.png: several models are written into a folder; name one, or a.png/");
     std::filesystem::create_directory(folder.path("empty"));
     const RunResult empty = run({"voxelize", "empty"});
