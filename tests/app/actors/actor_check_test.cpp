@@ -77,7 +77,7 @@ TEST_F(ActorCheck, TellsOfParticlesAtOnePlaceInNoBodyOrTwice)
 
 TEST_F(ActorCheck, TellsOfBodiesWithoutParticles)
 {
-    EXPECT_EQ(faultOf("[4, 5, 6, 7, 8, 9]", "[]"), "/bodies/1/particles: is an empty list, must be at least 1");
+    EXPECT_EQ(faultOf("[4, 5, 6, 7, 8, 9]", "[]"), "/bodies/1/particles: is an array of 0, must be at least 1");
     // Of two with the same particles the first has them.
     EXPECT_EQ(faultOf("[4, 5, 6, 7, 8, 9] }",
                       "[4, 5, 6, 7, 8, 9] }, { \"name\": \"copy\", \"particles\": [4, 5, 6, 7, 8, 9] }"),
