@@ -17,11 +17,12 @@ commands=$("$program" man --list)
 for command in '' $commands; do
     page=$folder/knuckle${command:+-$command}.1
     "$program" man $command >"$page"
-    for section in .TH '.SH NAME' '.SH SYNOPSIS' '.SH OPTIONS'; do
+    for section in .TH '.SH NAME' '.SH SYNOPSIS' '.SH "OPTIONS"'; do
         grep -q "^$section" "$page" || fail "$page: no $section"
     done
+    text=$(sed 's/\\-/-/g' "$page")
     while read -r option; do
-        sed 's/\\-/-/g' "$page" | grep -qF -- "\\fB$option\\fR" || fail "$page: no $option"
+        grep -qF -- "\\fB$option\\fR" <<<"$text" || fail "$page: no $option"
     done < <("$program" $command --help | grep -oE '^  (-[a-z],)?--[a-z-]+' | grep -oE -- '--.*')
     if command -v man >/dev/null; then
         warnings=$(MANWIDTH=200 LC_ALL=C.UTF-8 man --warnings -E UTF-8 -l "$page" 2>&1 >/dev/null)
