@@ -88,11 +88,11 @@ TEST_F(Doctor, TellsLimitsThatAreTooLow)
         const rlimit files{64, 64};
         setrlimit(RLIMIT_NOFILE, &files);
     };
-    const std::string environment = "MESA_SHADER_CACHE_DIR=/proc/none";
+    const std::string environment = "MESA_SHADER_CACHE_DIR=/dev/null/none";
     const RunResult result = run({"doctor"}, {.environment = {environment, "DISPLAY=:77"}, .inChild = few});
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(linesWith(result.out, "WRONG"), "WRONG  open files: 64 allowed; raise it (ulimit -n 1024)\n");
-    EXPECT_NE(linesWith(result.out, "note   shader cache: /proc/none cannot be written; set"), "") << result.out;
+    EXPECT_NE(linesWith(result.out, "note   shader cache: /dev/null/none cannot be written; set"), "") << result.out;
     EXPECT_NE(linesWith(result.out, "note   DISPLAY=:77 points nowhere"), "") << result.out;
     const auto little = [] {
         const rlimit space{rlim_t{150} << 20, rlim_t{150} << 20};
