@@ -105,7 +105,7 @@ TEST_F(Stop, ByTheEnvironmentNamesTheVariable)
         EXPECT_EQ(result.code, 3) << variable;
         EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
         EXPECT_NE(result.err.find(variable), std::string::npos) << result.err;
-        EXPECT_TRUE(result.err.ends_with(": unset that\n")) << result.err;
+        EXPECT_TRUE(result.err.ends_with(": unset that; `knuckle doctor` says more\n")) << result.err;
     }
 }
 
