@@ -20,7 +20,7 @@ namespace {
 
 constexpr int ENCODER_SECONDS = 20;
 constexpr const char* SCENE = "assets/scenes/hello.json";
-constexpr FilmFormat TRIAL{.width = 64, .height = 64, .framesPerSecond = 25.0};
+const FilmFormat TRIAL{.width = 64, .height = 64, .framesPerSecond = 25.0};
 
 /// A codec, with the endings of films that have it unless another is chosen, and those that may have it.
 struct Codec {

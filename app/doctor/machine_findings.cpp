@@ -97,8 +97,8 @@ void findLimits(Findings& findings)
 /// Where Mesa keeps compiled shaders.
 std::string shaderCache()
 {
-    if (const std::string folder = variable("MESA_SHADER_CACHE_DIR"); !folder.empty()) return folder;
-    if (const std::string folder = variable("XDG_CACHE_HOME"); !folder.empty()) return folder;
+    if (std::string folder = variable("MESA_SHADER_CACHE_DIR"); !folder.empty()) return folder;
+    if (std::string folder = variable("XDG_CACHE_HOME"); !folder.empty()) return folder;
     const std::string home = variable("HOME");
     return home.empty() ? "" : home + "/.cache";
 }
