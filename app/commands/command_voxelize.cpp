@@ -4,6 +4,7 @@
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/commands/voxelize/voxelize_models.h"
+#include "app/files/actor_check.h"
 
 namespace knuckle {
 

@@ -149,6 +149,22 @@ World worldOf(const std::string& path, const Actor& actor)
     }
 }
 
+void requireUsable(const std::string& file, const Actor& actor)
+{
+    const size_t count = actor.particles.size();
+    if (count < FEWEST_PARTICLES)
+        throw InputError(
+            fmt::format("{}: {} particle{} of {:.3g} m are too few for an actor; use --particles 1000, or a smaller "
+                        "--diameter",
+                        file, count, count == 1 ? "" : "s", actor.diameter));
+    if (actor.diameter < static_cast<float>(SMALLEST_DIAMETER))
+        throw InputError(
+            fmt::format("{}: it would consist of particles of {:.3g} m, scenes have some of {:g} m or more; "
+                        "make it larger by --height, or use fewer --particles",
+                        file, actor.diameter, SMALLEST_DIAMETER));
+    worldOf(file, actor);
+}
+
 std::vector<std::string> jointWarnings(const Actor& actor, const World& world)
 {
     std::vector<std::string> warnings;

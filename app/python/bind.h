@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 namespace knuckle {
@@ -14,6 +15,12 @@ void bindScene(pybind11::module_& module);
 void bindSimulation(pybind11::module_& module);
 void bindActor(pybind11::module_& module);
 void bindPictures(pybind11::module_& module);
+
+/// What json.dumps() makes of it.
+inline std::string jsonText(const pybind11::handle& value)
+{
+    return pybind11::module_::import("json").attr("dumps")(value).cast<std::string>();
+}
 
 /// float32 [n, 3], a copy.
 inline pybind11::array_t<float> arrayOf(const std::vector<Eigen::Vector3f>& vectors)

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "app/files/actor_check.h"
 #include "app/files/actor_file.h"
+#include "app/json/fields.h"
 #include "app/python/bind.h"
 #include "sim/rig/bodies/make_actor.h"
 #include "sim/rig/import/import.h"
@@ -24,6 +26,7 @@ std::shared_ptr<Actor> voxelized(const std::filesystem::path& model, uint32_t pa
     wanted.particleCount = particles;
     auto actor = std::make_shared<Actor>(makeActor(importModel(model.string(), options), wanted));
     actor->model = {model.string(), options.fit, {}};
+    requireUsable(model.string(), *actor);
     return actor;
 }
 
@@ -34,17 +37,6 @@ py::list bodiesOf(const Actor& actor)
         bodies.append(py::dict("name"_a = body.name, "parent"_a = body.parent, "particles"_a = body.particles,
                                "merged_bones"_a = body.mergedBones));
     return bodies;
-}
-
-const char* wordOf(JointType type)
-{
-    switch (type) {
-        case JointType::Ball: return "ball";
-        case JointType::Hinge: return "hinge";
-        case JointType::Universal: return "universal";
-        case JointType::Stiff: return "stiff";
-    }
-    return "";
 }
 
 py::list jointsOf(const Actor& actor)

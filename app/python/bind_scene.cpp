@@ -12,17 +12,11 @@ namespace knuckle {
 
 namespace {
 
-std::string textOf(const py::dict& document)
-{
-    return py::module_::import("json").attr("dumps")(document).cast<std::string>();
-}
-
 std::vector<Override> overridesOf(const py::dict& changes)
 {
     std::vector<Override> overrides;
     for (const auto& [path, value] : changes)
-        overrides.push_back({path.cast<std::string>(),
-                             Json::parse(py::module_::import("json").attr("dumps")(value).cast<std::string>())});
+        overrides.push_back({path.cast<std::string>(), Json::parse(jsonText(value))});
     return overrides;
 }
 
@@ -33,7 +27,7 @@ std::shared_ptr<Scene> loadFile(const std::filesystem::path& path, const py::dic
 
 std::shared_ptr<Scene> loadDict(const py::dict& document, const py::dict& changes, const std::filesystem::path& folder)
 {
-    Json json = Json::parse(textOf(document));
+    Json json = Json::parse(jsonText(document));
     for (const Override& change : overridesOf(changes)) applyOverride(json, change);
     return std::make_shared<Scene>(loadStoredScene((folder / "scene").string(), json.dump()));
 }

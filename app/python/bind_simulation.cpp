@@ -2,6 +2,7 @@
 
 #include "app/python/bind.h"
 #include "app/python/session.h"
+#include "app/scene/joints/scene_joints.h"
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -12,9 +13,7 @@ namespace {
 
 std::string bodyName(const World& world, const Body& body)
 {
-    const bool isAlone = body.object == NO_INDEX || world.objects[body.object].bodyCount == 1;
-    if (body.object == NO_INDEX) return body.name;
-    return isAlone ? world.objects[body.object].name : world.objects[body.object].name + "/" + body.name;
+    return body.object == NO_INDEX ? body.name : nameInScene(world, body);
 }
 
 py::dict bodiesOf(Session& session)
@@ -78,7 +77,7 @@ py::array_t<uint8_t> renderOf(Session& session, std::array<uint32_t, 2> size, co
                               const std::string& quality)
 {
     PictureWish wish{size[0], size[1], quality, {}};
-    if (!camera.is_none()) wish.camera = py::module_::import("json").attr("dumps")(camera).cast<std::string>();
+    if (!camera.is_none()) wish.camera = jsonText(camera);
     const Image image = session.picture(wish);
     py::array_t<uint8_t> pixels({py::ssize_t{image.height}, py::ssize_t{image.width}, py::ssize_t{4}});
     uint8_t* out = pixels.mutable_data();

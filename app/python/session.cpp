@@ -1,57 +1,19 @@
 #include "app/python/session.h"
 
-#include <stdexcept>
-
 #include "app/json/json.h"
-#include "sim/gpu/device/thread_device.h"
-#include "sim/solver/workload.h"
 
 namespace knuckle {
 
 namespace {
 
-/// Steps between checks of lists: after an overflow, at most these are repeated.
-constexpr uint32_t STEPS_A_CHECK = 8;
+/// Kept for pictures of the same wish; a camera that is moved by hand makes a new one each time.
+constexpr size_t MOST_RENDERERS = 8;
 
 }  // namespace
 
 Session::Session(std::shared_ptr<const Scene> scene, const std::string& device)
-    : scene_(std::move(scene)), gpu_(deviceOfThread(device, FrameWork{stepWorkload(scene_->world), {}})),
-      solver_(*gpu_, scene_->world)
+    : scene_(std::move(scene)), solver_(scene_->world, device)
 {
-}
-
-Solver& Session::here()
-{
-    if (std::this_thread::get_id() != thread_)
-        throw std::logic_error("a simulation belongs to the thread that made it, and this is another");
-    return solver_;
-}
-
-void Session::step(uint32_t count)
-{
-    Solver& solver = here();
-    for (uint32_t k = 1; k <= count; ++k) {
-        solver.step();
-        ++steps_;
-        if (k == count || k % STEPS_A_CHECK == 0) solver.checkCounters(steps_);
-    }
-}
-
-double Session::time() const
-{
-    return static_cast<double>(steps_) * static_cast<double>(scene_->world.settings.timeStep);
-}
-
-SessionState Session::save()
-{
-    return {steps_, here().saveState()};
-}
-
-void Session::load(const SessionState& state)
-{
-    here().loadState(state.solver);
-    steps_ = state.steps;
 }
 
 RenderSettings Session::settingsFor(const PictureWish& wish) const
@@ -74,9 +36,11 @@ RenderSettings Session::settingsFor(const PictureWish& wish) const
 
 Image Session::picture(const PictureWish& wish)
 {
-    const ParticleView view = here().view();
+    const ParticleView view = solver_.here().view();
+    if (renderers_.size() >= MOST_RENDERERS && !renderers_.contains(wish))
+        std::erase_if(renderers_, [](const auto& entry) { return !entry.first.camera.empty(); });
     std::unique_ptr<Renderer>& renderer = renderers_[wish];
-    if (!renderer) renderer = std::make_unique<Renderer>(*gpu_, scene_->world, settingsFor(wish));
+    if (!renderer) renderer = std::make_unique<Renderer>(solver_.gpu(), scene_->world, settingsFor(wish));
     renderer->draw(view, time());
     return renderer->readImage();
 }

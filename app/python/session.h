@@ -3,13 +3,12 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <thread>
 #include <tuple>
 #include <vector>
 
 #include "app/scene/scene_file.h"
 #include "render/renderer.h"
-#include "sim/solver/solver.h"
+#include "sim/solver/stepped_solver.h"
 
 namespace knuckle {
 
@@ -40,31 +39,27 @@ public:
     Session(std::shared_ptr<const Scene> scene, const std::string& device);
 
     const Scene& scene() const { return *scene_; }
-    const std::string& deviceName() const { return gpu_->device().name; }
+    const std::string& deviceName() const { return solver_.gpu().device().name; }
     /// Advances by steps of Settings::timeStep.
-    void step(uint32_t count);
-    uint64_t steps() const { return steps_; }
+    void step(uint32_t count) { solver_.step(count); }
+    uint64_t steps() const { return solver_.steps(); }
     /// Since the start [s].
-    double time() const;
-    ParticleState particles() { return here().readParticles(); }
-    std::vector<BodyState> bodies() { return here().readBodies(); }
-    Measures measure() { return here().measure(); }
-    uint64_t hash() { return here().stateHash(); }
-    SessionState save();
+    double time() const { return solver_.time(); }
+    ParticleState particles() { return solver_.here().readParticles(); }
+    std::vector<BodyState> bodies() { return solver_.here().readBodies(); }
+    Measures measure() { return solver_.here().measure(); }
+    uint64_t hash() { return solver_.here().stateHash(); }
+    SessionState save() { return {solver_.steps(), solver_.here().saveState()}; }
     /// @throws std::logic_error if it is of another scene.
-    void load(const SessionState& state);
+    void load(const SessionState& state) { solver_.load(state.solver, state.steps); }
     Image picture(const PictureWish& wish);
 
 private:
-    Solver& here();
     RenderSettings settingsFor(const PictureWish& wish) const;
 
     std::shared_ptr<const Scene> scene_;
-    std::thread::id thread_ = std::this_thread::get_id();
-    std::shared_ptr<Gpu> gpu_;
-    Solver solver_;
-    uint64_t steps_ = 0;
-    std::map<PictureWish, std::unique_ptr<Renderer>> renderers_;
+    SteppedSolver solver_;
+    std::map<PictureWish, std::unique_ptr<Renderer>> renderers_;  ///< MOST_RENDERERS at most.
 };
 
 }  // namespace knuckle

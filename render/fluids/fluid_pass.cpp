@@ -6,28 +6,37 @@
 
 namespace knuckle {
 
+namespace {
+
+/// Of surfaces, and none while the camera is in fluid.
+Defines outside()
+{
+    return {{"SURFACE", "1"}, {"FROM_OUTSIDE", "1"}};
+}
+
+}  // namespace
+
 FluidPass::FluidPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings,
                      RenderTargets& targets)
     : targets_(targets), count_(targets.hasSurfaces() ? world.fluidCount : 0)
 {
     if (empty()) return;
     underwater_.emplace(gpu, table, count_, settings, targets);
-    const Defines surface = {{"SURFACE", "1"}, {"FROM_OUTSIDE", "1"}};
     const auto front = [&](const char* vertex) {
-        return DrawPass(gpu, table, {vertex, "fluids/fluid_front", surface},
+        return DrawPass(gpu, table, {vertex, "fluids/fluid_front", outside()},
                         {"frame", "view", "sphereList", "sphereScales", "sphereColors", "positions", "fluidMaterials",
                          "fluidForms", "submersion"},
                         targets.fluidFront);
     };
     points_ = front("spheres/sphere");
     quads_ = front("spheres/sphere_quad");
-    const Defines map = {{"SURFACE", "1"}, {"SHADOW_TEXELS", std::to_string(FLUID_SHADOW_SIZE) + ".0"}};
-    shadow_ = DrawPass(gpu, table, {"spheres/sphere_shadow", "spheres/sphere_shadow", map},
-                       {"frame", "view", "sphereList", "sphereScales", "positions", "fluidMaterials"},
-                       targets.fluidShadowMap);
-    bends_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus"}, {"frame", "view", "fluidShadowPicture"},
-                      targets.fluidBends);
-    focus_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", {{"COLUMNS", "1"}}},
+    const Defines map = {{"SHADOW_TEXELS", std::to_string(FLUID_SHADOW_SIZE) + ".0"}};
+    shadow_ = DrawPass(
+        gpu, table, {"spheres/sphere_shadow", "spheres/sphere_shadow", joined({{{"SURFACE", "1"}}, map})},
+        {"frame", "view", "sphereList", "sphereScales", "positions", "fluidMaterials"}, targets.fluidShadowMap);
+    bends_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", map},
+                      {"frame", "view", "fluidShadowPicture"}, targets.fluidBends);
+    focus_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", joined({map, {{"COLUMNS", "1"}}})},
                       {"frame", "view", "fluidBendPicture"}, targets.fluidLens);
     rows_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_smooth"}, {"frame", "view", "fluidDepthPicture"},
                      targets.fluidRows);
@@ -43,9 +52,8 @@ void FluidPass::loadShading(const Gpu& gpu, const BufferTable& table, const Rend
 {
     const bool emits = targets_.hasEmission();
     const Defines emission = emits ? Defines{{"EMISSION", "1"}} : Defines{};
-    const Defines outside = {{"SURFACE", "1"}, {"FROM_OUTSIDE", "1"}};
     tint_ = DrawPass(
-        gpu, table, {"fluids/fluid_tint", "fluids/fluid_tint", joined({outside, emission})},
+        gpu, table, {"fluids/fluid_tint", "fluids/fluid_tint", joined({outside(), emission})},
         {"frame", "view", "positions", "sphereScales", "fluidLooks", "fluidMaterials", "depthPicture", "submersion"},
         targets_.fluidInside);
     tint_.setAdditive();

@@ -24,6 +24,7 @@
 #include "render/spheres/sphere_pass.h"
 #include "render/surfaces/surface_pass.h"
 #include "render/unseen.h"
+#include "render/view/camera_obstacles.h"
 #include "render/view/framed_sets.h"
 #include "render/view/view_passes.h"
 #include "sim/base/errors.h"
@@ -56,9 +57,7 @@ struct Pane::Impl {
     std::optional<double> lookedAt;  ///< Time of the film at the camera's last look [s].
     Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
     Buffer<uint32_t> unseen, framedParticles;
-    Buffer<gpu::vec4> planes;
-    Buffer<gpu::CameraSolid> solids;
-    Buffer<float> grids;
+    CameraObstacles obstacles;
     ShownBuffers shown;
     RenderTargets targets;
     BufferTable table;
@@ -87,12 +86,9 @@ Pane::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen, Ker
       framed(framedSets(shots, world)), input(frameInput(world, settings, extent)),
       beads(drawsFluids(world, settings, DrawnAs::Particles)),
       unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
-      framedParticles("framedParticles", std::span<const uint32_t>(framed.words)),
-      planes("cameraPlanes", std::span<const gpu::vec4>(cameraPlanes(world))),
-      solids("cameraSolids", std::span<const gpu::CameraSolid>(cameraSolids(world).solids)),
-      grids("cameraGrids", std::span<const float>(cameraSolids(world).grids)), shown(world),
+      framedParticles("framedParticles", std::span<const uint32_t>(framed.words)), obstacles(world), shown(world),
       targets(settings, {drawsFluids(world, settings, DrawnAs::Surface), fluidsEmit(world, settings), hasGlass(world)}),
-      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty(), solids.size() > 0),
+      view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty(), obstacles.solidCount() > 0),
       quantities(gpu, table, world, settings), fluidLooks(table, world, settings),
       looks(table, world, settings, extent), lists(gpu, table, world, targets.hasSurfaces()),
       colliders(gpu, table, world, settings, extent, targets), skins(gpu, table, world, targets),
@@ -105,8 +101,8 @@ Pane::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen, Ker
       reader(settings.width, settings.height, settings.background == Background::Transparent, settings.depth),
       timer(timerIn)
 {
-    input.cameraPlaneCount = static_cast<uint32_t>(planes.size());
-    input.cameraSolidCount = static_cast<uint32_t>(solids.size());
+    input.cameraPlaneCount = obstacles.planeCount();
+    input.cameraSolidCount = obstacles.solidCount();
     gpu.checkErrors();
 }
 
@@ -114,7 +110,8 @@ BufferTable& Pane::Impl::addInputs()
 {
     targets.addTo(table);
     table.add(Lifetime::Scratch, inputBuffer);
-    table.add(Lifetime::Constant, unseen, framedParticles, planes, solids, grids);
+    table.add(Lifetime::Constant, unseen, framedParticles);
+    obstacles.addTo(table);
     shown.addTo(table);
     return table;
 }

@@ -47,24 +47,29 @@ bool isSeen(const World& world, const BodyShape& shape, const std::vector<uint32
     return std::ranges::any_of(linksOf(world, shape), [&](const Link& link) { return !hasBit(unseen, link.particle); });
 }
 
-/// Of the shapes that are seen, those of glass or the others.
-std::vector<gpu::vec4> texelsOf(const World& world, const RenderSettings& settings, bool ofGlass)
+/// SHAPE_TEXELS of each shape that is seen.
+struct ShapeTexels {
+    std::vector<gpu::vec4> opaque = {}, ofGlass = {};
+};
+
+ShapeTexels texelsOf(const World& world, const RenderSettings& settings)
 {
     const std::vector<uint32_t> unseen = unseenBits(world);
     const Finishes finishes(world);
-    std::vector<gpu::vec4> texels;
+    ShapeTexels all;
     for (const BodyShape& shape : world.bodyShapes) {
-        const SurfaceFinish& finish = world.materials[world.bodies[shape.body].material].finish;
-        if (!isSeen(world, shape, unseen) || (finish.word == Finish::Glass) != ofGlass) continue;
+        if (!isSeen(world, shape, unseen)) continue;
         const Vector3f &half = shape.halfSides, arm = shape.middle - world.bodies[shape.body].restCentre;
         const auto [first, second] = middleParticles(world, shape);
         const uint32_t color = bodyColor(world, shape.body, settings) & COLOR_BITS;
+        const SurfaceFinish& finish = world.materials[world.bodies[shape.body].material].finish;
+        std::vector<gpu::vec4>& texels = finish.word == Finish::Glass ? all.ofGlass : all.opaque;
         texels.push_back({half.x(), half.y(), half.z(), shape.radius});
         texels.push_back({arm.x(), arm.y(), arm.z(), static_cast<float>(shape.body)});
         texels.push_back({static_cast<float>(color), static_cast<float>(first), static_cast<float>(second),
                           static_cast<float>(finishes.alphaOf(finish))});
     }
-    return texels;
+    return all;
 }
 
 }  // namespace
@@ -72,8 +77,7 @@ std::vector<gpu::vec4> texelsOf(const World& world, const RenderSettings& settin
 ShapePass::ShapePass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings,
                      const RenderTargets& targets)
 {
-    std::vector<gpu::vec4> texels = texelsOf(world, settings, false);
-    const std::vector<gpu::vec4> ofGlass = texelsOf(world, settings, true);
+    auto [texels, ofGlass] = texelsOf(world, settings);
     opaqueCount_ = static_cast<uint32_t>(texels.size() / SHAPE_TEXELS);
     glassCount_ = static_cast<uint32_t>(ofGlass.size() / SHAPE_TEXELS);
     texels.insert(texels.end(), ofGlass.begin(), ofGlass.end());

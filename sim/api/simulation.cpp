@@ -1,34 +1,16 @@
 #include "sim/api/simulation.h"
 
-#include <stdexcept>
-#include <thread>
 #include <utility>
 
-#include "sim/gpu/device/thread_device.h"
-#include "sim/solver/solver.h"
-#include "sim/solver/workload.h"
+#include "sim/solver/stepped_solver.h"
 
 namespace knuckle {
 
-namespace {
-
-/// Steps between checks of lists: after an overflow, at most these are repeated.
-constexpr uint32_t STEPS_A_CHECK = 8;
-
-}  // namespace
-
 struct Simulation::Impl {
-    Impl(World worldIn, const std::string& device)
-        : world(std::move(worldIn)), gpu(deviceOfThread(device, FrameWork{stepWorkload(world), {}})),
-          solver(*gpu, world)
-    {
-    }
+    Impl(World worldIn, const std::string& device) : world(std::move(worldIn)), solver(world, device) {}
 
     World world;
-    std::shared_ptr<Gpu> gpu;
-    Solver solver;
-    uint64_t steps = 0;
-    std::thread::id thread = std::this_thread::get_id();
+    SteppedSolver solver;
 };
 
 Simulation::Simulation(World world, const std::string& device) : impl_(std::make_unique<Impl>(std::move(world), device))
@@ -39,31 +21,19 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-Simulation::Impl& Simulation::here() const
-{
-    if (std::this_thread::get_id() != impl_->thread)
-        throw std::logic_error("Simulation: called from another thread than the one that made it");
-    return *impl_;
-}
-
 void Simulation::step(uint32_t count)
 {
-    Impl& impl = here();
-    for (uint32_t k = 1; k <= count; ++k) {
-        impl.solver.step();
-        ++impl.steps;
-        if (k == count || k % STEPS_A_CHECK == 0) impl.solver.checkCounters(impl.steps);
-    }
+    impl_->solver.step(count);
 }
 
 double Simulation::time() const
 {
-    return static_cast<double>(impl_->steps) * static_cast<double>(impl_->world.settings.timeStep);
+    return impl_->solver.time();
 }
 
 uint64_t Simulation::steps() const
 {
-    return impl_->steps;
+    return impl_->solver.steps();
 }
 
 const World& Simulation::world() const
@@ -73,37 +43,37 @@ const World& Simulation::world() const
 
 std::vector<Vector3f> Simulation::positions()
 {
-    return here().solver.readParticles().positions;
+    return impl_->solver.here().readParticles().positions;
 }
 
 std::vector<Vector3f> Simulation::velocities()
 {
-    return here().solver.readParticles().velocities;
+    return impl_->solver.here().readParticles().velocities;
 }
 
 ParticleState Simulation::particles()
 {
-    return here().solver.readParticles();
+    return impl_->solver.here().readParticles();
 }
 
 std::vector<BodyState> Simulation::bodies()
 {
-    return here().solver.readBodies();
+    return impl_->solver.here().readBodies();
 }
 
 Measures Simulation::measure()
 {
-    return here().solver.measure();
+    return impl_->solver.here().measure();
 }
 
 uint64_t Simulation::hash()
 {
-    return here().solver.stateHash();
+    return impl_->solver.here().stateHash();
 }
 
 const std::string& Simulation::deviceName() const
 {
-    return impl_->gpu->device().name;
+    return impl_->solver.gpu().device().name;
 }
 
 }  // namespace knuckle

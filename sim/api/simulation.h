@@ -55,7 +55,6 @@ public:
 
 private:
     struct Impl;
-    Impl& here() const;
     std::unique_ptr<Impl> impl_;
 };
 

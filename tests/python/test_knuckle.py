@@ -133,6 +133,8 @@ class Errors(unittest.TestCase):
             simulation().render(camera={"positon": [0, 0, 1]})
         with self.assertRaises(knuckle.InputError):
             knuckle.Simulation(knuckle.Scene.load(BALL), "hardwear")
+        with self.assertRaisesRegex(knuckle.InputError, "humanoid.glb: 4 particles of .* are too few for an actor"):
+            knuckle.voxelize(ROOT / "assets/models/humanoid.glb", particles=3)
 
 
 if __name__ == "__main__":

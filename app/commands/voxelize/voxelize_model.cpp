@@ -9,7 +9,6 @@
 #include "app/files/actor_check.h"
 #include "app/files/actor_file.h"
 #include "app/files/joints_file.h"
-#include "app/run/counted.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/output_file.h"
 #include "sim/rig/bodies/bone_options.h"
@@ -20,22 +19,6 @@
 namespace knuckle {
 
 namespace {
-
-/// Checks that a scene can use it. @throws InputError, std::logic_error.
-void requireUsable(const std::string& file, const Actor& actor)
-{
-    const size_t count = actor.particles.size();
-    if (count < FEWEST_PARTICLES)
-        throw InputError(fmt::format("{}: {} of {:.3g} m are too few for an actor; use --particles 1000, or a smaller "
-                                     "--diameter",
-                                     file, counted(count, "particle"), actor.diameter));
-    if (actor.diameter < static_cast<float>(SMALLEST_DIAMETER))
-        throw InputError(
-            fmt::format("{}: it would consist of particles of {:.3g} m, scenes have some of {:g} m or more; "
-                        "make it larger by --height, or use fewer --particles",
-                        file, actor.diameter, SMALLEST_DIAMETER));
-    worldOf(file, actor);
-}
 
 Model readModel(const std::string& path, const ImportOptions& options)
 {

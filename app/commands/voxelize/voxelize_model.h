@@ -8,9 +8,6 @@
 
 namespace knuckle {
 
-constexpr uint32_t FEWEST_PARTICLES = 12;    ///< Of an actor.
-constexpr double SMALLEST_DIAMETER = 0.001;  ///< Of a scene [m].
-
 /// Options of `knuckle voxelize`.
 struct VoxelizeOptions {
     std::vector<std::string> models;

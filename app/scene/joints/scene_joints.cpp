@@ -14,13 +14,6 @@ namespace {
 
 constexpr const char* WORLD = "world";
 
-/// A body as scenes name it, and whether it is the only one of its object.
-std::string nameOf(const World& world, const Body& body)
-{
-    const Object& object = world.objects[body.object];
-    return object.bodyCount == 1 ? object.name : object.name + "/" + body.name;
-}
-
 /// NO_INDEX for the world. @param first bodies from this on are of joints.
 uint32_t bodyNamed(const SceneEntry& entry, size_t place, uint32_t end)
 {
@@ -29,8 +22,8 @@ uint32_t bodyNamed(const SceneEntry& entry, size_t place, uint32_t end)
     if (name == WORLD) return NO_INDEX;
     std::vector<std::string> known{WORLD};
     for (uint32_t b = 0; b < end; ++b) {
-        if (nameOf(world, world.bodies[b]) == name) return b;
-        if (!world.bodies[b].isCross) known.push_back(nameOf(world, world.bodies[b]));
+        if (nameInScene(world, world.bodies[b]) == name) return b;
+        if (!world.bodies[b].isCross) known.push_back(nameInScene(world, world.bodies[b]));
     }
     const std::string field = fmt::format("/bodies/{}", place);
     for (const Object& object : world.objects)
@@ -127,6 +120,12 @@ JointSpec readSpec(const SceneEntry& entry, size_t index)
 }
 
 }  // namespace
+
+std::string nameInScene(const World& world, const Body& body)
+{
+    const Object& object = world.objects[body.object];
+    return object.bodyCount == 1 ? object.name : object.name + "/" + body.name;
+}
 
 bool isJoint(const Json& object)
 {

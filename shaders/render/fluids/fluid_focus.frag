@@ -4,42 +4,50 @@
 
 #ifdef COLUMNS
 uniform sampler2D fluidBendPicture;
+const ivec2 STEP = ivec2(0, 1);
 layout(location = 0) out vec2 focus;      // trace [1/m] and determinant [1/m^2] of the second derivatives of the depth
 #else
 uniform sampler2D fluidShadowPicture;
+const ivec2 STEP = ivec2(1, 0);
 layout(location = 0) out vec3 bend;       // depth [m], below 0 for none, and its first and second derivatives
 #endif
 
+// The depth there [m], and along columns its derivatives along rows. `any`: whether there is fluid.
+vec3 bendAt(ivec2 at, out bool any)
+{
+#ifdef COLUMNS
+    vec3 there = texelFetch(fluidBendPicture, at, 0).rgb;
+    any = there.x >= 0.0;
+    return there;
+#else
+    float there = texelFetch(fluidShadowPicture, at, 0).r;
+    any = there < 1.0;
+    return vec3(2.0 * view.lightDepth.x * there, 0.0, 0.0);
+#endif
+}
+
 void main()
 {
-    ivec2 here = ivec2(gl_FragCoord.xy), last = textureSize(
-#ifdef COLUMNS
-        fluidBendPicture, 0) - 1;
-    vec3 middle = texelFetch(fluidBendPicture, here, 0).rgb;
-    bool any = middle.x >= 0.0;
-#else
-        fluidShadowPicture, 0) - 1;
-    float metres = 2.0 * view.lightDepth.x, middle = texelFetch(fluidShadowPicture, here, 0).r;
-    bool any = middle < 1.0;
-    middle *= metres;
-#endif
-    float texel = 2.0 * view.lightCentre.w / float(last.x + 1), width = gaussianWidth(texel), weight = 0.0;
+    ivec2 here = ivec2(gl_FragCoord.xy), last = ivec2(SHADOW_TEXELS) - 1;
+    bool any, isThere;
+    vec3 middle = bendAt(here, any), sum = vec3(0.0);
+    float texel = 2.0 * view.lightCentre.w / SHADOW_TEXELS, width = gaussianWidth(texel), weight = 0.0;
     int reach = any ? gaussianReach(texel) : 0;
-    vec3 sum = vec3(0.0);
     for (int k = -reach; k <= reach; ++k) {
         vec3 weights = weightsAt(float(k) * texel, width);
+        vec3 there = bendAt(clamp(here + k * STEP, ivec2(0), last), isThere);
+        float rise = stepOf(there.x, middle.x);
         weight += weights.x;
 #ifdef COLUMNS
-        vec3 there = texelFetch(fluidBendPicture, clamp(here + ivec2(0, k), ivec2(0), last), 0).rgb;
-        if (there.x < 0.0) there = middle;
-        sum += weights * vec3(there.z, there.y, stepOf(there.x, middle.x));
+        sum += weights * (isThere ? vec3(there.zy, rise) : vec3(middle.zy, 0.0));
+#else
+        sum += weights * rise;
+#endif
     }
     sum /= weight;
+#ifdef COLUMNS
     focus = any ? vec2(sum.x + sum.z, sum.x * sum.z - sum.y * sum.y) : vec2(0.0);
 #else
-        float there = metres * texelFetch(fluidShadowPicture, clamp(here + ivec2(k, 0), ivec2(0), last), 0).r;
-        sum += weights * stepOf(there, middle);
-    }
-    bend = any ? sum / weight + vec3(middle, 0.0, 0.0) : vec3(-1.0, 0.0, 0.0);
+    bend = any ? sum + vec3(middle.x, 0.0, 0.0) : vec3(-1.0, 0.0, 0.0);
 #endif
 }
