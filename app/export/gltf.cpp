@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "app/export/shape_mesh.h"
 #include "render/color_word.h"
 #include "render/picture/image.h"
 #include "render/quantities/color_scale.h"
@@ -80,21 +82,15 @@ std::vector<uint32_t> colorsOf(const Scene& scene)
     return particleColors(scene.world, settings);
 }
 
-/// A mesh of octahedra at an object's particles, for objects without a mesh. @param colors of all particles.
-void addParticles(Rig& rig, const World& world, const std::vector<uint32_t>& colors)
+/// A mesh of octahedra at the particles of bodies that have no shape. @param colors of all particles.
+void addParticles(Rig& rig, const World& world, const std::vector<uint32_t>& colors, const std::set<uint32_t>& shaped)
 {
     const std::map<uint32_t, uint32_t> bones = bonesOfBodies(rig);
-    SkinMaterial material;
-    material.name = "particles";
-    material.color = {1, 1, 1};
-    material.twoSided = false;
-    rig.model.surface = {};
-    rig.model.surface.materials = {material};
     const float radius = world.particleRadius;
     for (size_t i = 0; i < world.particles.size(); ++i) {
         const Particle& particle = world.particles[i];
         const auto bone = bones.find(particle.body);
-        if (bone == bones.end()) continue;
+        if (bone == bones.end() || shaped.contains(particle.body)) continue;
         const auto first = static_cast<uint32_t>(rig.model.vertices.size());
         for (int side = 0; side < 6; ++side) {
             Vector3f offset = Vector3f::Zero();
@@ -113,6 +109,28 @@ void addParticles(Rig& rig, const World& world, const std::vector<uint32_t>& col
             rig.model.triangles.push_back({x, odd ? z : y, odd ? y : z});
         }
     }
+}
+
+/// For objects without a mesh: bodies as they are drawn, as shapes or as particles.
+void addBodies(Rig& rig, const Scene& scene, const std::vector<uint32_t>& colors)
+{
+    const World& world = scene.world;
+    const std::map<uint32_t, uint32_t> bones = bonesOfBodies(rig);
+    SkinMaterial material;
+    material.name = "bodies";
+    material.color = {1, 1, 1};
+    material.twoSided = false;
+    rig.model.surface = {};
+    rig.model.surface.materials = {material};
+    std::set<uint32_t> shaped;
+    for (const BodyShape& shape : world.bodyShapes) {
+        const auto bone = bones.find(shape.body);
+        if (bone == bones.end()) continue;
+        const uint32_t particle = world.links[world.bodies[shape.body].linkStart].particle;
+        addShape(rig, shape, bone->second, unpackColor(colors[particle]));
+        shaped.insert(shape.body);
+    }
+    addParticles(rig, world, colors, shaped);
 }
 
 /// Makes one bone of each body do the work of all its bones, so that four bones are four bodies.
@@ -142,7 +160,7 @@ std::vector<Rig> everyRig(const Scene& scene)
             rig.model.vertices.clear();
             rig.model.triangles.clear();
             rig.model.skin.clear();
-            addParticles(rig, scene.world, colors);
+            addBodies(rig, scene, colors);
         } else mergeWeights(rig);
     }
     for (uint32_t object = 0; object < scene.world.objects.size(); ++object) {
@@ -150,7 +168,7 @@ std::vector<Rig> everyRig(const Scene& scene)
         if (std::ranges::find(rigs, object, &Rig::object) != rigs.end()) continue;
         rigs.push_back(rigOfBodies(scene.world, object));
         if (const SkinMesh* mesh = meshOf(scene.world, object)) addMesh(*mesh, rigs.back());
-        else addParticles(rigs.back(), scene.world, colors);
+        else addBodies(rigs.back(), scene, colors);
     }
     std::ranges::stable_sort(rigs, {}, &Rig::object);
     for (Rig& rig : rigs) rig.model.clips = {{CLIP, 0.0, {}, {}, {}}};

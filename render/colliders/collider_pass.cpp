@@ -48,12 +48,12 @@ ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& worl
                             {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.shadowMap, GL_FRONT);
     if (!hasGlass()) return;
     const Defines last = {{"FIRST_SHAPE", std::to_string(opaqueCount_)}, {"GLASS", "1"}};
-    glass_ = DrawPass(
+    glass_ = SidedPass(
         gpu, table,
         {"colliders/collider", "colliders/collider_glass",
          joined({last, displayDefines(settings), skyDefines(settings)})},
         {"frame", "view", "colliderPlaces", "colliderShapes", "litPicture", "depthPicture", "skyPicture", "skyBlurs"},
-        targets.glass, GL_FRONT);
+        targets.glass, targets, GL_FRONT);
     glassShadow_ = DrawPass(gpu, table,
                             {"colliders/collider", "colliders/collider_shadow", joined({last, {{"LIGHT_VIEW", "1"}}})},
                             {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.shadowMap, GL_FRONT);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/colliders/mesh_pass.h"
+#include "render/picture/sided_pass.h"
 #include "render/settings.h"
 #include "render/view/camera.h"
 #include "shared/frame_types.h"
@@ -23,7 +24,7 @@ public:
     void draw(KernelTimer& timer) const;
     bool hasGlass() const { return glassCount_ > 0; }
     /// Over the lit picture, into the target for glass.
-    void drawGlass(KernelTimer& timer) const { drawShapes(timer, glass_, glassCount_); }
+    void drawGlass(KernelTimer& timer, FluidSide side) const { drawShapes(timer, glass_.of(side), glassCount_); }
 
 private:
     void upload(const World& world, const SceneExtent& extent);
@@ -33,7 +34,8 @@ private:
     Buffer<gpu::vec4> planes_;  ///< Two each: colour, w: whether it is the ground; its collider, FLOOR_*, finish.
     Buffer<gpu::vec4> shapes_;  ///< A ColliderInstance each; those of glass last.
     uint32_t opaqueCount_ = 0, glassCount_ = 0;
-    DrawPass planePass_, shapePass_, shapeShadow_, glass_, glassShadow_;
+    DrawPass planePass_, shapePass_, shapeShadow_, glassShadow_;
+    SidedPass glass_;
 };
 
 }  // namespace knuckle

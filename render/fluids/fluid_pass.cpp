@@ -92,7 +92,7 @@ void FluidPass::drawShadow(KernelTimer& timer, const SphereLists& lists) const
     focus_.drawScreen(timer);
 }
 
-void FluidPass::draw(KernelTimer& timer, const SphereLists& lists, uint32_t foamCount)
+void FluidPass::drawDepth(KernelTimer& timer, const SphereLists& lists)
 {
     underwater_->update(timer);
     targets_.fluidFront.clear();
@@ -103,6 +103,10 @@ void FluidPass::draw(KernelTimer& timer, const SphereLists& lists, uint32_t foam
     rows_.drawScreen(timer);
     columns_.drawScreen(timer);
     clean_.drawScreen(timer);
+}
+
+void FluidPass::shade(KernelTimer& timer, uint32_t foamCount)
+{
     targets_.smoothed.copy(targets_.lit);
     shade_.drawScreen(timer);
     underwater_->draw(timer);

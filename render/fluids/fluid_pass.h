@@ -24,14 +24,15 @@ public:
     bool empty() const { return count_ == 0; }
     /// Into the shadow map of fluids, and what their surface gathers of the light.
     void drawShadow(KernelTimer& timer, const SphereLists& lists) const;
-    /// After lighting: changes the lit picture.
+    /// The surface's depth, and what light meets inside.
+    void drawDepth(KernelTimer& timer, const SphereLists& lists);
+    /// After lighting and drawDepth(): changes the lit picture.
     /// @param foamCount  Points of foam, spray and bubbles.
-    void draw(KernelTimer& timer, const SphereLists& lists, uint32_t foamCount);
+    void shade(KernelTimer& timer, uint32_t foamCount);
 
 private:
     void loadShading(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings);
     void loadFoam(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings);
-    /// Over the lit picture, with the surface's depth still there.
     void drawFoam(KernelTimer& timer, uint32_t count);
 
     RenderTargets& targets_;

@@ -42,7 +42,8 @@ struct Pane::Impl {
     void expose(double time, uint32_t first, uint32_t count);
     /// Draws what casts shadows and what is visible, with the light that reaches it.
     void drawSurfaces(bool withSkins, bool withParticles);
-    void drawGlass();
+    /// Over the lit picture: what mirrors or is seen through, on one side of the surface of fluids.
+    void drawOver(FluidSide side);
     void drawOnce();
     /// At the depth of what the camera aims at; waits for the frame.
     float pixelsPerMetre() const;
@@ -176,12 +177,13 @@ void Pane::Impl::drawSurfaces(bool withSkins, bool withParticles)
     picture.drawOcclusion(timer);
 }
 
-void Pane::Impl::drawGlass()
+void Pane::Impl::drawOver(FluidSide side)
 {
-    targets.glass.clear();
+    picture.drawMirror(timer, side);
+    if (!targets.hasGlass()) return;
     targets.smoothed.copy(targets.lit);
-    colliders.drawGlass(timer);
-    shapes.drawGlass(timer);
+    colliders.drawGlass(timer, side);
+    shapes.drawGlass(timer, side);
     targets.lit.copy(targets.smoothed);
 }
 
@@ -195,8 +197,13 @@ void Pane::Impl::drawOnce()
     ropes.update(timer);
     drawSurfaces(!veiled, true);
     picture.drawLighting(timer);
-    if (!fluids.empty()) fluids.draw(timer, lists, shown.foamCount());
-    if (targets.hasGlass()) drawGlass();
+    if (targets.hasGlass()) targets.glass.clear();
+    if (!fluids.empty()) {
+        fluids.drawDepth(timer, lists);
+        drawOver(FluidSide::Behind);
+        fluids.shade(timer, shown.foamCount());
+    }
+    drawOver(FluidSide::InFront);
     if (veiled) {
         drawSurfaces(true, false);
         picture.drawVeil(timer);

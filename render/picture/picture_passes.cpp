@@ -28,9 +28,9 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
                          targets.lighting);
     if (isMirror) {
         const Defines shown = joined({displayDefines(settings), skyDefines(settings)});
-        mirror_ = DrawPass(gpu, table, {"picture/screen", "picture/floor_mirror", shown},
-                           {"frame", "view", "litPicture", "depthPicture", "surfacePicture", "skyPicture", "skyBlurs"},
-                           targets.wet);
+        mirror_ = SidedPass(gpu, table, {"picture/screen", "picture/floor_mirror", shown},
+                            {"frame", "view", "litPicture", "depthPicture", "surfacePicture", "skyPicture", "skyBlurs"},
+                            targets.wet, targets);
     }
     if (settings.skinOpacity < 1.0f) {
         const Defines veiled = joined({looks, covering, {{"VEIL", "1"}}});
@@ -70,12 +70,11 @@ void PicturePasses::drawOcclusion(KernelTimer& timer) const
     occlusion_.drawScreen(timer);
 }
 
-void PicturePasses::drawLighting(KernelTimer& timer) const
+void PicturePasses::drawMirror(KernelTimer& timer, FluidSide side) const
 {
-    lighting_.drawScreen(timer);
     if (!isMirror_) return;
     targets_.smoothed.copy(targets_.lit);
-    mirror_.drawScreen(timer);
+    mirror_.of(side).drawScreen(timer);
     targets_.lit.copy(targets_.smoothed);
 }
 

@@ -2,6 +2,7 @@
 
 #include "render/draw_pass.h"
 #include "render/picture/render_targets.h"
+#include "render/picture/sided_pass.h"
 #include "render/settings.h"
 #include "shared/frame_types.h"
 
@@ -20,7 +21,9 @@ public:
     /// Draws the ambient and key light that arrives, at half resolution.
     void drawOcclusion(KernelTimer& timer) const;
     /// Draws the final colours.
-    void drawLighting(KernelTimer& timer) const;
+    void drawLighting(KernelTimer& timer) const { lighting_.drawScreen(timer); }
+    /// What the ground mirrors, if it does, over the lit picture.
+    void drawMirror(KernelTimer& timer, FluidSide side) const;
     /// The same, except ground and sky, half transparent over the existing colours.
     void drawVeil(KernelTimer& timer) const { veil_.drawScreen(timer); }
     /// Smooths edges, unless several draws do. Then averages the samples of each pixel, or enlarges a draft.
@@ -33,7 +36,8 @@ private:
 
     RenderTargets& targets_;
     bool isResolved_, isMirror_, smooths_;
-    DrawPass occlusion_, lighting_, mirror_, veil_, edgeFilter_, resolve_;
+    DrawPass occlusion_, lighting_, veil_, edgeFilter_, resolve_;
+    SidedPass mirror_;
 };
 
 }  // namespace knuckle

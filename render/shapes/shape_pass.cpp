@@ -97,12 +97,12 @@ ShapePass::ShapePass(const Gpu& gpu, BufferTable& table, const World& world, con
                        GL_FRONT);
     if (!hasGlass()) return;
     const Defines last = {{"FIRST_SHAPE", std::to_string(opaqueCount_)}, {"GLASS", "1"}};
-    glass_ = DrawPass(
+    glass_ = SidedPass(
         gpu, table,
         {"shapes/shape", "shapes/shape_glass", joined({defines, last, displayDefines(settings), skyDefines(settings)})},
         {"frame", "view", "velocities", "bodyShapes", "bodyCentres", "bodyRotations", "litPicture", "depthPicture",
          "skyPicture", "skyBlurs"},
-        targets.glass, GL_FRONT);
+        targets.glass, targets, GL_FRONT);
     glassShadow_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape_shadow", joined({lightView, last})}, reads,
                             targets.shadowMap, GL_FRONT);
 }

@@ -2,6 +2,7 @@
 
 #include "render/draw_pass.h"
 #include "render/picture/render_targets.h"
+#include "render/picture/sided_pass.h"
 #include "render/settings.h"
 #include "sim/world/world.h"
 
@@ -27,14 +28,15 @@ public:
     void draw(KernelTimer& timer) const { draw(timer, shapes_, opaqueCount_); }
     bool hasGlass() const { return glassCount_ > 0; }
     /// Over the lit picture, into the target for glass.
-    void drawGlass(KernelTimer& timer) const { draw(timer, glass_, glassCount_); }
+    void drawGlass(KernelTimer& timer, FluidSide side) const { draw(timer, glass_.of(side), glassCount_); }
 
 private:
     static void draw(KernelTimer& timer, const DrawPass& pass, uint32_t count);
 
     Buffer<gpu::vec4> bodyShapes_;  ///< SHAPE_TEXELS each, of those that are not unseen; those of glass last.
     uint32_t opaqueCount_ = 0, glassCount_ = 0;
-    DrawPass shapes_, shadow_, glass_, glassShadow_;
+    DrawPass shapes_, shadow_, glassShadow_;
+    SidedPass glass_;
 };
 
 }  // namespace knuckle

@@ -57,8 +57,9 @@ vec4 glassPicture(vec3 p, vec3 normal, Passage ray, vec3 color, float thick)
     return vec4(shown, lightness(shown));
 }
 
-/// Whether something stands before it.
+/// Whether something stands before it, or it is not its turn.
 bool isHidden(float depth)
 {
-    return depth >= texelFetch(depthPicture, ivec2(gl_FragCoord.xy), 0).r * frame.farDepth;
+    float before = texelFetch(depthPicture, ivec2(gl_FragCoord.xy), 0).r * frame.farDepth;
+    return depth >= before || isOtherSide(depth);
 }

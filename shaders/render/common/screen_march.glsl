@@ -1,7 +1,5 @@
 // Rays through the depth picture.
-#include "render/common/frame_blocks.glsl"
-
-uniform sampler2D depthPicture;
+#include "render/common/fluid_side.glsl"
 
 const int HALVINGS = 6;
 const float ANY_THICKNESS = 1e6;
@@ -9,7 +7,7 @@ const float ANY_THICKNESS = 1e6;
 // How far behind what is in the picture a point is [m].
 float behind(vec3 p)
 {
-    return -p.z - textureLod(depthPicture, pictureOf(p), 0.0).r * frame.farDepth;
+    return -p.z - depthAt(pictureOf(p));
 }
 
 /// @param steps  Their number; each is `growth` times as long as the one before. @param thick  How far behind what is

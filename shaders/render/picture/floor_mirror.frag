@@ -20,12 +20,13 @@ void main()
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(depthPicture, pixel, 0).r * frame.farDepth;
     uvec2 surface = texelFetch(surfacePicture, pixel, 0).xy;
-    if (depth >= frame.farDepth || !isGround(surface)) discard;
+    if (depth >= frame.farDepth || !isGround(surface) || isOtherSide(depth)) discard;
     vec3 ray = viewRay(gl_FragCoord.xy), p = ray * depth, toEye = -normalize(p), n = unpackNormal(surface.x);
     vec3 way = reflect(-toEye, n), light = skyTowards(way);
     float along = met(p + 0.002 * -p.z * n, way, STEPS, GROWTH, ANY_THICKNESS);
     vec2 place = pictureOf(p + along * way);
-    if (along > 0.0 && !isGround(texelFetch(surfacePicture, ivec2(place * vec2(frame.width, frame.height)), 0).xy)) {
+    bool meetsGround = isGround(texelFetch(surfacePicture, ivec2(place * vec2(frame.width, frame.height)), 0).xy);
+    if (along > 0.0 && (!meetsGround || showsFluid(place))) {
         vec3 seen = lightIn(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w;
         light = mix(light, seen, knownShare(place));
     }
