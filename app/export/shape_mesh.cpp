@@ -1,29 +1,36 @@
 #include "app/export/shape_mesh.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace knuckle {
 
 namespace {
 
-/// Parts along an edge of a face: odd, so that no corner lies in the middle of a side, which the middle part spans.
-/// Rounded edges of boxes are narrow; all that is seen of balls and capsules is round.
-int partsOf(const BodyShape& shape)
+/// A coordinate on the cube from -1 to 1 that the shape's roundings are a picture of, and the side of the box it is on.
+struct Coordinate {
+    float value, side;
+};
+
+/// From one side of the box to the other, evenly by angle; where it has a width, its face lies between the two zeros.
+/// Rounded edges of boxes are narrow, while balls and capsules are round all over.
+std::vector<Coordinate> coordinates(const BodyShape& shape, int axis)
 {
-    return shape.halfSides.minCoeff() > 0.0f ? 3 : 9;
+    const int parts = shape.halfSides.minCoeff() > 0.0f ? 2 : 4;
+    const auto at = [parts](int k) {
+        return std::tan(0.25f * std::numbers::pi_v<float> * static_cast<float>(k) / static_cast<float>(parts));
+    };
+    std::vector<Coordinate> all;
+    for (int k = -parts; k <= 0; ++k) all.push_back({at(k), -1.0f});
+    for (int k = shape.halfSides[axis] > 0.0f ? 0 : 1; k <= parts; ++k) all.push_back({at(k), 1.0f});
+    return all;
 }
 
-/// A point of a face of the cube from -1 to 1: of the two faces across an axis, that on one side.
-Vector3f cubePoint(int axis, float side, float u, float v)
+void addVertex(Rig& rig, const BodyShape& shape, uint32_t bone, const Vector3f& color,
+               const std::array<Coordinate, 3>& c)
 {
-    Vector3f point;
-    point[axis] = side;
-    point[(axis + 1) % 3] = u;
-    point[(axis + 2) % 3] = v;
-    return point;
-}
-
-void addVertex(Rig& rig, const BodyShape& shape, uint32_t bone, const Vector3f& color, const Vector3f& cube)
-{
-    const Vector3f way = cube.normalized(), corner = shape.halfSides.array() * cube.array().sign();
+    const Vector3f way = Vector3f(c[0].value, c[1].value, c[2].value).normalized();
+    const Vector3f corner = shape.halfSides.cwiseProduct(Vector3f(c[0].side, c[1].side, c[2].side));
     SkinWeights skin;
     skin.bones[0] = bone;
     skin.weights[0] = 1.0f;
@@ -36,20 +43,25 @@ void addVertex(Rig& rig, const BodyShape& shape, uint32_t bone, const Vector3f& 
 
 void addShape(Rig& rig, const BodyShape& shape, uint32_t bone, const Vector3f& color)
 {
-    const int parts = partsOf(shape);
-    const auto row = static_cast<uint32_t>(parts + 1);
-    const auto place = [parts](int k) { return -1.0f + 2.0f * static_cast<float>(k) / static_cast<float>(parts); };
-    for (int face = 0; face < 6; ++face) {
-        const auto first = static_cast<uint32_t>(rig.model.vertices.size());
+    for (size_t face = 0; face < 6; ++face) {
+        const size_t across = face / 2, along = (across + 1) % 3, up = (across + 2) % 3;
         const bool isFar = face % 2 == 0;
-        for (int j = 0; j <= parts; ++j)
-            for (int i = 0; i <= parts; ++i)
-                addVertex(rig, shape, bone, color, cubePoint(face / 2, isFar ? 1.0f : -1.0f, place(i), place(j)));
-        for (uint32_t j = 0; j + 1 < row; ++j)
-            for (uint32_t i = 0; i + 1 < row; ++i) {
-                const uint32_t a = first + j * row + i, b = a + 1, c = a + row, d = c + 1;
-                if (isFar) rig.model.triangles.insert(rig.model.triangles.end(), {{a, b, d}, {a, d, c}});
-                else rig.model.triangles.insert(rig.model.triangles.end(), {{a, d, b}, {a, c, d}});
+        const auto columns = coordinates(shape, static_cast<int>(along)),
+                   rows = coordinates(shape, static_cast<int>(up));
+        const auto first = static_cast<uint32_t>(rig.model.vertices.size());
+        const auto width = static_cast<uint32_t>(columns.size()), height = static_cast<uint32_t>(rows.size());
+        std::array<Coordinate, 3> c = {};
+        c[across] = isFar ? Coordinate{1.0f, 1.0f} : Coordinate{-1.0f, -1.0f};
+        for (const Coordinate& row : rows)
+            for (const Coordinate& column : columns) {
+                c[along] = column, c[up] = row;
+                addVertex(rig, shape, bone, color, c);
+            }
+        for (uint32_t j = 0; j + 1 < height; ++j)
+            for (uint32_t i = 0; i + 1 < width; ++i) {
+                const uint32_t a = first + j * width + i, b = a + 1, l = a + width, d = l + 1;
+                if (isFar) rig.model.triangles.insert(rig.model.triangles.end(), {{a, b, d}, {a, d, l}});
+                else rig.model.triangles.insert(rig.model.triangles.end(), {{a, d, b}, {a, l, d}});
             }
     }
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "sim/base/errors.h"
 #include "sim/rig/gltf/key_reduction.h"
@@ -112,6 +113,48 @@ TEST(GltfExport, WhatHasNoSkeletonKeepsItsMesh)
         EXPECT_EQ(after.surface.textures.size(), before.surface.textures.size()) << object;
         EXPECT_EQ(after.bones.size(), 1u) << object;
     }
+}
+
+/// What triangles enclose [m3]; below 0 if they face inwards.
+double enclosed(const Model& model)
+{
+    double six = 0.0;
+    for (const auto& t : model.triangles) {
+        const Vector3f &a = model.vertices[t[0]], &b = model.vertices[t[1]], &c = model.vertices[t[2]];
+        six += double(a.dot(b.cross(c)));
+    }
+    return six / 6.0;
+}
+
+TEST(GltfExport, ShapesAreMeshesOfTheirSize)
+{
+    const TempFolder folder;
+    const auto exported = [&](const std::string& shape) {
+        const Scene scene = loadScene(folder.write("scene.json", R"({ "diameter": 0.1, "materials": { "all":
+            { "draw": "shape" } }, "objects": [{ "type": "rigid", "material": "all", )" +
+                                                                     shape + " }] }"));
+        GltfExport out(folder.path("out.glb"));
+        out.begin(scene);
+        addFrame(out, scene.world, turned(scene.world, 0.0f));
+        out.finish();
+        return importModel(folder.path("out.glb"), {.fit = {.scale = 1.0}});
+    };
+    const Model box = exported(R"("shape": "box", "size": [0.4, 0.6, 0.8])");
+    // All within r of a box: its volume, six slabs, twelve quarter cylinders, eight eighths of a ball. Roundings in four
+    // parts lack a fortieth of themselves, which are a tenth of it.
+    const double a = 0.3, b = 0.5, c = 0.7, r = 0.05, pi = std::numbers::pi;
+    const double rounded = a * b * c + 2 * r * (a * b + b * c + c * a) + pi * r * r * (a + b + c) +
+                           4.0 / 3.0 * pi * r * r * r;
+    EXPECT_NEAR(enclosed(box), rounded, 0.004 * rounded);
+    const auto low = [&](int axis) {
+        float least = 1e9f;
+        for (const Vector3f& v : box.vertices) least = std::min(least, v[axis]);
+        return least;
+    };
+    EXPECT_NEAR(low(2), -0.4f, 1e-4f);
+    const Model ball = exported(R"("shape": "sphere", "radius": 0.3)");
+    // Chords of pi / 16 lie up to 0.5 % below the ball along both ways, a third of that in the mean.
+    EXPECT_NEAR(enclosed(ball), 4.0 / 3.0 * pi * 0.027, 0.02 * 4.0 / 3.0 * pi * 0.027);
 }
 
 TEST(GltfExport, JointsOfASkinHaveOneRoot)
