@@ -13,6 +13,8 @@ namespace knuckle {
 /// Python's module of the program, in parts.
 void bindScene(pybind11::module_& module);
 void bindSimulation(pybind11::module_& module);
+/// The part of the simulation's class that changes it.
+void bindChanges(pybind11::class_<class Session>& simulation);
 void bindActor(pybind11::module_& module);
 void bindPictures(pybind11::module_& module);
 

@@ -94,10 +94,12 @@ void bindSimulation(py::module_& module)
 {
     py::class_<SessionState, std::shared_ptr<SessionState>>(module, "State", "A state of a simulation, to return to.")
         .def_readonly("steps", &SessionState::steps);
-    py::class_<Session>(module, "Simulation",
-                        "A scene on the device. The same scene, program and driver give the same bits. SI units, +Y "
-                        "up; particles and bodies are in the order of the scene. All calls must come from the thread "
-                        "that made it.")
+    py::class_<Session> simulation(
+        module, "Simulation",
+        "A scene on the device. The same scene, program and driver give the same bits. SI units, +Y "
+        "up; particles and bodies are in the order of the scene. All calls must come from the thread "
+        "that made it.");
+    simulation
         .def(py::init([](std::shared_ptr<Scene> scene, const std::string& device) {
                  return std::make_unique<Session>(std::move(scene), device);
              }),
@@ -136,6 +138,7 @@ void bindSimulation(py::module_& module)
              "quality"_a = "",
              "A picture, uint8 [height, width, 4]. `camera`: a dict with the fields of a scene's camera, else the "
              "scene's shots; `quality`: 'draft', 'good' or 'final', else the scene's.");
+    bindChanges(simulation);
 }
 
 }  // namespace knuckle

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -53,6 +54,20 @@ public:
     /// @throws std::logic_error if it is of another scene.
     void load(const SessionState& state) { solver_.load(state.solver, state.steps); }
     Image picture(const PictureWish& wish);
+
+    // Changes before the next step. Names are "object", or "object/body"; @throws InputError for names that are not
+    // there, numbers that are not finite, and what is held or follows a clip.
+    /// An object's bodies move as one, about the first. @param velocity of its mass centre. @param spin [rad/s]
+    void setVelocity(const std::string& name, const Vector3f& velocity, const Vector3f& spin);
+    /// Of the first body's mass centre; the others of an object come along.
+    void setPose(const std::string& name, const Vector3f& position, const std::optional<Quaternionf>& rotation);
+    /// @param impulse [N s]. @param at  a place [m], else the mass centre.
+    void applyImpulse(const std::string& name, const Vector3f& impulse, const std::optional<Vector3f>& at);
+    /// Lets go of a body and all that hangs on it.
+    void release(const std::string& name);
+    /// Drives a joint that has a motor or a spring otherwise.
+    void drive(const std::string& name, const TurnDrive& drive);
+    std::vector<ContactForce> contactForces() { return solver_.here().contactForces(); }
 
 private:
     RenderSettings settingsFor(const PictureWish& wish) const;

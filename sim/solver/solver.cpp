@@ -196,12 +196,15 @@ uint64_t Solver::stateHash()
 
 SolverState Solver::saveState() const
 {
-    return {impl_->started, impl_->stages.save()};
+    SolverState state{impl_->started, impl_->stages.save()};
+    if (impl_->stages.motors) state.motors = impl_->stages.motors->motors.download();
+    return state;
 }
 
 void Solver::loadState(const SolverState& state)
 {
     impl_->stages.load(state.stages);
+    if (!state.motors.empty()) impl_->stages.motors->motors.upload(state.motors);
     impl_->started = state.started;
     impl_->kept = {};
 }
@@ -218,6 +221,30 @@ void Solver::carryOver(const Solver& other, const Counterparts& same, uint64_t s
     loadState({true, carriedOver({other.impl_->world, from}, {impl_->world, to}, same, substep)});
     Recorder recorder(impl_->timer, to.dispatches);
     if (to.fluidWatch) to.fluidWatch->begin(recorder);
+}
+
+void Solver::edit(const std::function<void(StateEdit&)>& change)
+{
+    SolverState state = saveState();
+    StateEdit edit(impl_->world, impl_->stages.layout, state.stages);
+    change(edit);
+    edit.commit();
+    loadState(state);
+}
+
+bool Solver::drive(uint32_t joint, const TurnDrive& drive)
+{
+    Stages& s = impl_->stages;
+    // Steps that are taken again would be driven otherwise.
+    impl_->kept = {};
+    return s.motors && s.motors->set(s.layout, joint, drive);
+}
+
+std::vector<ContactForce> Solver::contactForces()
+{
+    if (impl_->world.settings.solver == SolverKind::Paper)
+        throw std::logic_error("the solver `paper` moves particles and has no forces of contacts");
+    return impl_->stages.contacts.forces(impl_->stages.search, impl_->stages.counters.download()[0]);
 }
 
 uint32_t Solver::searchCount()

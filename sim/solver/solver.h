@@ -1,13 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "shared/motor_types.h"
 #include "sim/gpu/gpu.h"
+#include "sim/solver/edit/state_edit.h"
 #include "sim/solver/list_room.h"
+#include "sim/solver/measure/contact_force.h"
 #include "sim/solver/measure/releases.h"
 #include "sim/solver/measure/state.h"
 #include "sim/solver/measure/view_state.h"
@@ -29,6 +33,7 @@ struct PassTime {
 struct SolverState {
     bool started = false;
     StagesState stages;
+    std::vector<gpu::Motor> motors = {};  ///< What drives joints.
 };
 
 /// A World on the GPU, and its step.
@@ -66,6 +71,13 @@ public:
     /// at once. @throws std::logic_error for fluid that has drained away where this world has neither drains nor
     /// emitters.
     void carryOver(const Solver& other, const Counterparts& same, uint64_t steps);
+    // The next two come after checkCounters(): no step before them is taken again.
+    /// Changes the state before the next step. Reads and writes all of it.
+    void edit(const std::function<void(StateEdit&)>& change);
+    /// Changes what drives a joint. @returns false if nothing drives it.
+    bool drive(uint32_t joint, const TurnDrive& drive);
+    /// Contacts that act. @throws std::logic_error with the paper's solver, which has no impulses.
+    std::vector<ContactForce> contactForces();
     /// Number of searches for contacts, at most one a substep.
     uint32_t searchCount();
     std::vector<PassTime> passTimes();

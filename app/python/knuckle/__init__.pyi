@@ -2,7 +2,7 @@ from os import PathLike
 from typing import Any, Mapping, Sequence, TypedDict, overload
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 __version__: str
 
@@ -17,6 +17,14 @@ class Bodies(TypedDict):
     velocity: NDArray[np.float32]
     angular_velocity: NDArray[np.float32]
     mass: NDArray[np.float32]
+
+class Contacts(TypedDict):
+    particles: NDArray[np.int32]
+    bodies: NDArray[np.int32]
+    collider: NDArray[np.int32]
+    position: NDArray[np.float32]
+    force: NDArray[np.float32]
+    normal_force: NDArray[np.float32]
 
 class Scene:
     name: str
@@ -58,6 +66,13 @@ class Simulation:
     def hash(self) -> str: ...
     def save_state(self) -> State: ...
     def load_state(self, state: State) -> None: ...
+    def set_velocity(self, name: str, velocity: ArrayLike, angular_velocity: ArrayLike | None = None) -> None: ...
+    def set_pose(self, name: str, position: ArrayLike, rotation: ArrayLike | None = None) -> None: ...
+    def apply_impulse(self, name: str, impulse: ArrayLike, at: ArrayLike | None = None) -> None: ...
+    def apply_force(self, name: str, force: ArrayLike, at: ArrayLike | None = None) -> None: ...
+    def release(self, name: str) -> None: ...
+    def drive(self, joint: str, speed: float | None = None, angle: float | None = None, *, torque: float) -> None: ...
+    def contacts(self) -> Contacts: ...
     def render(self, size: Sequence[int] = (640, 360), camera: Mapping[str, Any] | None = None,
                quality: str = "") -> NDArray[np.uint8]: ...
 

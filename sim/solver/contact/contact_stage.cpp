@@ -70,4 +70,27 @@ void ContactStage::solve(Recorder& recorder) const
     if (hasColliders_) recorder.decided(solveColliders_, DISPATCH_COLLIDER_PAIRS);
 }
 
+std::vector<ContactForce> ContactStage::forces(const SearchStage& search, const gpu::Counters& counters) const
+{
+    // An impulse displaces a mass within a substep.
+    const float unit = 1.0f / (parameters_.substepTime * parameters_.substepTime);
+    std::vector<ContactForce> all;
+    const auto add = [&](const Buffer<gpu::uvec2>& pairBuffer, const Buffer<gpu::vec4>& impulseBuffer, uint32_t count,
+                         uint32_t capacity, bool isCollider) {
+        if (count == 0) return;
+        const std::vector<gpu::uvec2> pairs = pairBuffer.download();
+        const std::vector<gpu::vec4> impulses = impulseBuffer.download();
+        for (size_t q = 0; q < std::min(count, capacity); ++q) {
+            const auto [first, second] = pairs[counters.listParity * capacity + q];
+            const gpu::vec4& p = impulses[counters.listParity * capacity + q];
+            if (p.w <= 0.0f) continue;
+            all.push_back({first, isCollider ? NO_INDEX : second, isCollider ? second : NO_INDEX,
+                           unit * Vector3f(p.x, p.y, p.z), unit * p.w});
+        }
+    };
+    add(search.pairs, pairImpulses, counters.pairCount, parameters_.pairCapacity, false);
+    add(search.colliderPairs, colliderImpulses, counters.colliderPairCount, parameters_.colliderPairCapacity, true);
+    return all;
+}
+
 }  // namespace knuckle

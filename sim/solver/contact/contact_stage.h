@@ -1,5 +1,8 @@
 #pragma once
 
+#include "shared/counters.h"
+#include "sim/solver/measure/contact_force.h"
+#include "sim/solver/search/search_stage.h"
 #include "sim/solver/stage.h"
 
 namespace knuckle {
@@ -16,6 +19,9 @@ public:
     void prepare(Recorder& recorder) const;
     /// One iteration of the impulses.
     void solve(Recorder& recorder) const;
+
+    /// All contacts that act, in the order of the lists. Stalls until the GPU is done.
+    std::vector<ContactForce> forces(const SearchStage& search, const gpu::Counters& counters) const;
 
     Buffer<gpu::uvec4>
         pairSides;               ///< Per pair: movers (with an exit direction), frictions, fractions of inverse masses

@@ -26,14 +26,8 @@ float bounded(float greatest)
     return std::min(greatest, std::numeric_limits<float>::max());
 }
 
-gpu::Motor packMotor(const World& world, const JointTrees::Joint& joint)
+void putDrive(gpu::Motor& motor, const TurnDrive& drive)
 {
-    const Joint& record = world.joints[joint.joint];
-    const TurnDrive& drive = record.drive;
-    const Quaternionf turn = joint.body == record.child ? record.turn : record.turn.conjugate();
-    gpu::Motor motor{};
-    motor.frame = pack(joint.side.frame);
-    motor.parentFrame = pack((turn * joint.side.frame).normalized());
     motor.stiffness = drive.stiffness;
     motor.damping = drive.damping;
     motor.angle = drive.angle;
@@ -42,8 +36,18 @@ gpu::Motor packMotor(const World& world, const JointTrees::Joint& joint)
     // Beyond it the spring asks for the speed of which the damper takes as much back.
     motor.reach = bounded(drive.stiffness > 0.0f ? drive.greatestSpeed * drive.damping / drive.stiffness
                                                  : std::numeric_limits<float>::max());
-    motor.isHinge = record.type == JointType::Hinge ? 1 : 0;
     motor.keepsAwake = drive.isMotor() ? 1 : 0;
+}
+
+gpu::Motor packMotor(const World& world, const JointTrees::Joint& joint)
+{
+    const Joint& record = world.joints[joint.joint];
+    const Quaternionf turn = joint.body == record.child ? record.turn : record.turn.conjugate();
+    gpu::Motor motor{};
+    motor.frame = pack(joint.side.frame);
+    motor.parentFrame = pack((turn * joint.side.frame).normalized());
+    putDrive(motor, record.drive);
+    motor.isHinge = record.type == JointType::Hinge ? 1 : 0;
     motor.body = joint.body;
     motor.parent = joint.parent;
     return motor;
@@ -83,6 +87,17 @@ void MotorStage::upload(const StageSetup& setup)
     setup.parameters.motorCount = static_cast<uint32_t>(packed.size());
     motors = {"motors", std::span<const gpu::Motor>(packed)};
     motorStates = {"motorStates", std::span<const gpu::vec4>(states)};
+}
+
+bool MotorStage::set(const Layout& layout, uint32_t joint, const TurnDrive& drive)
+{
+    std::vector<gpu::Motor> all = motors.download();
+    const auto found = std::ranges::find_if(
+        all, [&](const gpu::Motor& motor) { return layout.jointTrees.joints[motor.joint].joint == joint; });
+    if (found == all.end()) return false;
+    putDrive(*found, drive);
+    motors.upload(all);
+    return true;
 }
 
 void MotorStage::addBuffers(BufferTable& table)

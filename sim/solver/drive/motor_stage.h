@@ -17,6 +17,9 @@ public:
     /// Reserves a row for each body of a driven joint that may respond.
     static void reserveRows(RowPlan& rows, const World& world, const Layout& layout);
 
+    /// Changes what drives a joint from the next step on. @returns false if nothing drives it.
+    bool set(const Layout& layout, uint32_t joint, const TurnDrive& drive);
+
     /// Before the bodies move: notes how joints are turned.
     void begin(Recorder& recorder) const;
     /// Computes the torques for where the bodies are now; before joints are factored, and in each iteration.
