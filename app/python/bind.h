@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "render/picture/image.h"
+
 namespace knuckle {
 
 /// Python's module of the program, in parts.
@@ -17,6 +19,10 @@ void bindSimulation(pybind11::module_& module);
 void bindChanges(pybind11::class_<class Session>& simulation);
 void bindActor(pybind11::module_& module);
 void bindPictures(pybind11::module_& module);
+void bindFilm(pybind11::module_& module);
+
+/// A picture of uint8 [height, width, 3 or 4]: alpha does not count. @throws InputError for anything else.
+Image imageOf(const pybind11::object& source);
 
 /// What json.dumps() makes of it.
 inline std::string jsonText(const pybind11::handle& value)

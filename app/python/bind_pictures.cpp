@@ -12,23 +12,12 @@ namespace knuckle {
 
 namespace {
 
-using Pixels = py::array_t<uint8_t, py::array::c_style | py::array::forcecast>;
-
-/// A file, or uint8 [h, w, 3 or 4]: alpha does not count.
+/// A file, or what imageOf() takes.
 Picture pictureFrom(const py::object& source)
 {
     if (!py::isinstance<py::array>(source)) return readPicture(source.cast<std::filesystem::path>().string());
-    if (!py::isinstance<py::array_t<uint8_t>>(source)) throw InputError("a picture is an array of uint8");
-    const auto pixels = source.cast<Pixels>();
-    if (pixels.ndim() != 3 || pixels.shape(2) < 3 || pixels.shape(2) > 4)
-        throw InputError("a picture is an array [height, width, 3 or 4]");
-    const auto height = static_cast<uint32_t>(pixels.shape(0)), width = static_cast<uint32_t>(pixels.shape(1));
-    const auto channels = static_cast<size_t>(pixels.shape(2));
-    std::vector<uint8_t> rgb;
-    rgb.reserve(size_t{3} * width * height);
-    for (size_t i = 0; i < size_t{width} * height; ++i)
-        rgb.insert(rgb.end(), pixels.data() + channels * i, pixels.data() + channels * i + 3);
-    return pictureOf(width, height, rgb);
+    const Image image = imageOf(source);
+    return pictureOf(image.width, image.height, image.rgb);
 }
 
 py::dict compared(const py::object& first, const py::object& second, float threshold)
@@ -42,6 +31,22 @@ py::dict compared(const py::object& first, const py::object& second, float thres
 }
 
 }  // namespace
+
+Image imageOf(const py::object& source)
+{
+    using Pixels = py::array_t<uint8_t, py::array::c_style | py::array::forcecast>;
+    if (!py::isinstance<py::array_t<uint8_t>>(source)) throw InputError("a picture is an array of uint8");
+    const auto pixels = source.cast<Pixels>();
+    if (pixels.ndim() != 3 || pixels.shape(2) < 3 || pixels.shape(2) > 4 || pixels.size() == 0)
+        throw InputError("a picture is an array [height, width, 3 or 4]");
+    Image image{static_cast<uint32_t>(pixels.shape(1)), static_cast<uint32_t>(pixels.shape(0))};
+    const auto channels = static_cast<size_t>(pixels.shape(2));
+    const size_t count = size_t{image.width} * image.height;
+    image.rgb.reserve(3 * count);
+    for (size_t i = 0; i < count; ++i)
+        image.rgb.insert(image.rgb.end(), pixels.data() + channels * i, pixels.data() + channels * i + 3);
+    return image;
+}
 
 void bindPictures(py::module_& module)
 {

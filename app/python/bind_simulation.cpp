@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/json/json.h"
 #include "app/python/bind.h"
 #include "app/python/session.h"
 #include "app/scene/joints/scene_joints.h"
@@ -73,6 +74,17 @@ py::dict measuresOf(Session& session)
                     "max_speed"_a = m.maxSpeed, "kinetic_energy"_a = m.kineticEnergy);
 }
 
+std::unique_ptr<Session> simulationOf(std::shared_ptr<Scene> scene, const std::string& device,
+                                      std::optional<uint32_t> seed)
+{
+    if (seed) {
+        Json document = Json::parse(scene->document);
+        document["seed"] = *seed;
+        scene = std::make_shared<Scene>(loadStoredScene(scene->file, document.dump()));
+    }
+    return std::make_unique<Session>(std::move(scene), device);
+}
+
 py::array_t<uint8_t> renderOf(Session& session, std::array<uint32_t, 2> size, const py::object& camera,
                               const std::string& quality)
 {
@@ -100,12 +112,11 @@ void bindSimulation(py::module_& module)
         "up; particles and bodies are in the order of the scene. All calls must come from the thread "
         "that made it.");
     simulation
-        .def(py::init([](std::shared_ptr<Scene> scene, const std::string& device) {
-                 return std::make_unique<Session>(std::move(scene), device);
-             }),
-             "scene"_a, "device"_a = "auto",
+        .def(py::init(&simulationOf), "scene"_a, "device"_a = "auto", "seed"_a = py::none(),
              "`device`: 'auto' (a GPU, else the CPU), 'gpu', 'software' or a number of `knuckle info`; the first "
-             "simulation of a thread chooses for all. Compiles kernels, which takes seconds at first.")
+             "simulation of a thread chooses for all. `seed`: the scene's own `seed` instead; another number, and all "
+             "that is "
+             "random in it comes out otherwise. Compiles kernels, which takes seconds at first.")
         .def("step", &Session::step, "count"_a = 1, py::call_guard<py::gil_scoped_release>(),
              "Advances by `count` times scene.time_step. Raises RunError for a state that is no longer finite.")
         .def_property_readonly("time", &Session::time, "Since the start [s].")

@@ -19,4 +19,5 @@ PYBIND11_MODULE(_knuckle, module)
     bindActor(module);
     bindSimulation(module);
     bindPictures(module);
+    bindFilm(module);
 }

@@ -12,6 +12,16 @@ namespace knuckle {
 
 namespace {
 
+/// Adds a number to all seeds below a place.
+void shiftSeeds(Json& json, uint32_t shift)
+{
+    if (!json.is_structured()) return;
+    for (auto& [key, value] : json.items()) {
+        if (key == "seed" && value.is_number_integer()) value = value.get<uint32_t>() + shift;
+        else shiftSeeds(value, shift);
+    }
+}
+
 SceneDocument completed(JsonFile file, const std::vector<Override>& overrides)
 {
     static const Schema schema("scene.schema.json");
@@ -23,7 +33,10 @@ SceneDocument completed(JsonFile file, const std::vector<Override>& overrides)
     document.given = document.file.root;
     document.givesDiameter = document.file.root.is_object() && document.file.root.contains("diameter");
     schema.complete(document.file);
-    const Json& root = document.file.root;
+    Json& root = document.file.root;
+    const uint32_t seed = root["seed"];
+    root.erase("seed");
+    if (seed != 0) shiftSeeds(root, seed);
     if (root["objects"].empty() && root["emitters"].empty())
         failAt(document.file.path, "/objects", "is an array of 0, must be at least 1");
     return document;

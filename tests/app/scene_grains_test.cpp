@@ -32,6 +32,19 @@ TEST(SceneGrains, FillABoxAtOneDiameter)
     EXPECT_LT((middle - Vector3f(1, 2, 3)).norm(), 1e-5f);
 }
 
+TEST(SceneGrains, TheScenesSeedIsAddedToTheirs)
+{
+    const test::TempFolder folder;
+    const auto first = [&](int own, int scene) {
+        const std::string path = folder.write("scene.json", R"({ "seed": )" + std::to_string(scene) +
+                                                                R"(, "objects": [{ "type": "grains", "shape": "box",
+            "seed": )" + std::to_string(own) + " }] }");
+        return loadScene(path, {}).world.particles[0].position;
+    };
+    EXPECT_EQ(first(2, 3), first(5, 0));
+    EXPECT_NE(first(2, 3), first(2, 0));
+}
+
 TEST(SceneGrains, AreAsFarApartAsTheSpacingSays)
 {
     EXPECT_EQ(load(R"("shape": "box", "size": [0.5, 0.3, 0.2], "spacing": 0.25)").particles.size(), 2u);

@@ -1,4 +1,8 @@
 """What Python may change of a running simulation, against closed forms. Run by ctest."""
+import os
+import re
+import subprocess
+import tempfile
 import unittest
 
 import numpy as np
@@ -110,6 +114,18 @@ class Impulses(unittest.TestCase):
         np.testing.assert_allclose(body(pushed, "box")["velocity"], [0, 6 * 0.5 / mass, 0], rtol=1e-3, atol=1e-4)
 
 
+    def test_what_sleeps_wakes(self):
+        asleep = simulation({**RESTING, "solver": {"sleep": 0.02}})
+        asleep.step(120)
+        before = asleep.hash()
+        asleep.step(5)
+        self.assertEqual(asleep.hash(), before, "nothing is asleep")
+        asleep.apply_impulse("high", [0, 3 * body(asleep, "high")["mass"], 0])
+        asleep.step(6)
+        # It leaves at 3 m/s, a tenth of a second ago.
+        self.assertAlmostEqual(body(asleep, "high")["velocity"][1], 3 - 0.981, delta=0.05)
+
+
 class Poses(unittest.TestCase):
     def test_a_body_is_where_it_is_put(self):
         moved = simulation(FREE)
@@ -193,6 +209,50 @@ class Drives(unittest.TestCase):
         wheel.load_state(state)
         wheel.step(30)
         np.testing.assert_allclose(abs(body(wheel, "arm")["angular_velocity"]), [0, 0, 2], atol=0.05)
+
+
+class Films(unittest.TestCase):
+    def test_a_film_has_the_frames_that_were_added(self):
+        free = simulation(FREE)
+        with tempfile.TemporaryDirectory() as folder:
+            with knuckle.Film(f"{folder}/flight.mp4", fps=25) as film, knuckle.Film(f"{folder}/f_##.png") as frames:
+                for _ in range(5):
+                    free.step(1)
+                    picture = free.render(size=(64, 48), quality="draft")
+                    film.add(picture)
+                    frames.add(picture)
+            told = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                                   "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0",
+                                   f"{folder}/flight.mp4"], capture_output=True, text=True, check=True)
+            self.assertEqual(told.stdout.strip(), "64,48,25/1,5")
+            self.assertEqual(film.frames, 5)
+            self.assertTrue(knuckle.compare(f"{folder}/f_05.png", picture)["identical"])
+
+    def test_one_that_fails_leaves_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaises(ZeroDivisionError):
+                with knuckle.Film(f"{folder}/half.mp4") as film:
+                    film.add(np.zeros((48, 64, 3), np.uint8))
+                    1 / 0
+            self.assertEqual(os.listdir(folder), [])
+            film = knuckle.Film(f"{folder}/other.mp4")
+            film.add(np.zeros((48, 64, 3), np.uint8))
+            for picture, message in [(np.zeros((40, 64, 3), np.uint8), "a picture of 64x40 in a film of 64x48"),
+                                     (np.zeros((48, 64), np.uint8), "a picture is an array [height, width, 3 or 4]"),
+                                     (np.zeros((48, 64, 3)), "a picture is an array of uint8")]:
+                with self.assertRaisesRegex(knuckle.InputError, re.escape(message)):
+                    film.add(picture)
+            with self.assertRaisesRegex(knuckle.InputError, "fps must be above 0"):
+                knuckle.Film(f"{folder}/never.mp4", fps=0)
+
+
+class Seeds(unittest.TestCase):
+    def test_another_seed_is_another_run(self):
+        sand = knuckle.Scene.load({"duration": 1, "diameter": 0.1, "objects": [
+            {"type": "grains", "shape": "box", "seed": 2, "position": [0, 1, 0]}]})
+        places = [knuckle.Simulation(sand, "software", seed=seed).positions() for seed in (None, 0, 3)]
+        np.testing.assert_array_equal(places[0], places[1])
+        self.assertGreater(np.abs(places[0] - places[2]).max(), 1e-3)
 
 
 class Mistakes(unittest.TestCase):

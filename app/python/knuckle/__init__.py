@@ -9,8 +9,8 @@
 SI units, right-handed, +Y up. What is wrong with an input is told by InputError, in one line.
 """
 
-from ._knuckle import (Actor, DeviceError, InputError, RunError, Scene, Simulation, State, __version__, compare,
-                       load_actor, voxelize)
+from ._knuckle import (Actor, DeviceError, Film, InputError, RunError, Scene, Simulation, State, __version__,
+                       compare, load_actor, voxelize)
 
-__all__ = ["Actor", "DeviceError", "InputError", "RunError", "Scene", "Simulation", "State", "__version__", "compare",
-           "load_actor", "voxelize"]
+__all__ = ["Actor", "DeviceError", "Film", "InputError", "RunError", "Scene", "Simulation", "State", "__version__",
+           "compare", "load_actor", "voxelize"]

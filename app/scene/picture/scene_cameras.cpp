@@ -42,6 +42,8 @@ public:
         CameraSettings camera = readFields<CameraSettings>(json);
         camera.shake = readFields<CameraShake>(json["shake"]);
         if (camera.kind == CameraKind::Follow) follow(camera, pointer);
+        else if (!camera.follow.empty())
+            fail(pointer + "/follow", "is given beside a `kind` that follows nothing; take one of them away");
         attend(camera, json, pointer);
         focusOn(camera, json["focusOn"], pointer);
         readKeys(camera, json["keys"], pointer + "/keys");

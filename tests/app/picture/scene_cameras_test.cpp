@@ -151,6 +151,8 @@ TEST(Cameras, AreRefusedInOneLine)
          "/camera/lookAt: is given beside `frame`, which turns the camera as well; take one of them away"},
         {R"("camera": { "kind": "follow", "lookAt": ["doll"] })",
          "/camera/lookAt: is given beside the kind \"follow\", which looks at its object; take one of them away"},
+        {R"("camera": { "kind": "orbit", "follow": "doll" })",
+         "/camera/follow: is given beside a `kind` that follows nothing; take one of them away"},
         {R"("camera": { "lookAt": ["doll"], "automatic": true })",
          "/camera/automatic: must be false with `lookAt`: give a position, or `frame` instead"},
         {R"("camera": { "shake": { "amplitude": 90 } })",
