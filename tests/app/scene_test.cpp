@@ -113,16 +113,6 @@ TEST(Scene, FollowsItsFirstObjectUnlessTold)
     EXPECT_EQ(load(ONE_BOX, {parseOverride("camera.kind=follow")}).render.camera.follow, "object_1");
 }
 
-TEST(Scene, HasTheKindOfCameraThatItsFieldsAreOf)
-{
-    const auto cameraOf = [](const char* change) { return load(ONE_BOX, {parseOverride(change)}).render.camera; };
-    EXPECT_EQ(cameraOf("camera.follow=object_1").kind, CameraKind::Follow);
-    EXPECT_EQ(cameraOf("camera.follow=object_1").target, Vector3f(0, 0, 0));
-    EXPECT_TRUE(cameraOf("camera.follow=object_1").automatic);
-    EXPECT_EQ(cameraOf("camera.orbitSpeed=5").kind, CameraKind::Orbit);
-    EXPECT_EQ(cameraOf("camera.fieldOfView=30").kind, CameraKind::Fixed);
-}
-
 TEST(Scene, TakesTheStaticFrictionForBothWhereOneIsGiven)
 {
     const Scene scene = load(ONE_BOX, {parseOverride("materials.default.staticFriction=0.2")});

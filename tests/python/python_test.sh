@@ -16,7 +16,7 @@ done
 [[ $(wc -l <"$out/first/throws.csv") == 3 ]]
 cmp "$out/first/throws.csv" "$out/second/throws.csv"
 
-"$2" docs/example/swing_up.py | grep -E '^up after [0-9.]+ s$'
+"$2" docs/example/swing.py | grep -E '^up after [0-9.]+ s$'
 
 # The notebook, in Jupyter where that is there, otherwise cell by cell.
 if "$2" -c 'import nbconvert, ipykernel' 2>/dev/null; then

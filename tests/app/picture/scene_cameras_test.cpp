@@ -57,6 +57,16 @@ TEST(Cameras, TwoOfThemShareThePicturesOfAShot)
         EXPECT_EQ(shot.layout, PictureLayout::One);
 }
 
+TEST(Cameras, AreOfTheKindThatTheirFieldsAreOf)
+{
+    const auto cameraOf = [](const std::string& field) { return pictureOf(R"("camera": { )" + field + " }").camera; };
+    EXPECT_EQ(cameraOf(R"("follow": "doll")").kind, CameraKind::Follow);
+    EXPECT_EQ(cameraOf(R"("follow": "doll")").target, Vector3f(0, 0, 0));
+    EXPECT_TRUE(cameraOf(R"("follow": "doll")").automatic);
+    EXPECT_EQ(cameraOf(R"("orbitSpeed": 5)").kind, CameraKind::Orbit);
+    EXPECT_EQ(cameraOf(R"("fieldOfView": 30)").kind, CameraKind::Fixed);
+}
+
 TEST(Cameras, OfTheCommandLineFilmEveryShot)
 {
     const std::string shots = R"("duration": 8, "cameras": { "close": { "fieldOfView": 20 } },

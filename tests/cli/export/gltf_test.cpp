@@ -140,8 +140,8 @@ TEST(GltfExport, ShapesAreMeshesOfTheirSize)
         return importModel(folder.path("out.glb"), {.fit = {.scale = 1.0}});
     };
     const Model box = exported(R"("shape": "box", "size": [0.4, 0.6, 0.8])");
-    // All within r of a box: its volume, six slabs, twelve quarter cylinders, eight eighths of a ball. Roundings in four
-    // parts lack a fortieth of themselves, which are a tenth of it.
+    // All within r of a box: its volume, six slabs, twelve quarter cylinders, eight eighths of a ball. Roundings in
+    // four parts lack a fortieth of themselves, which are a tenth of it.
     const double a = 0.3, b = 0.5, c = 0.7, r = 0.05, pi = std::numbers::pi;
     const double rounded = a * b * c + 2 * r * (a * b + b * c + c * a) + pi * r * r * (a + b + c) +
                            4.0 / 3.0 * pi * r * r * r;
