@@ -42,8 +42,8 @@ FluidPass::FluidPass(const Gpu& gpu, BufferTable& table, const World& world, con
                      targets.fluidRows);
     columns_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_smooth", {{"COLUMNS", "1"}}},
                         {"frame", "view", "fluidWidePicture"}, targets.fluidColumns);
-    clean_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_clean"}, {"frame", "view", "fluidSmoothPicture"},
-                      targets.fluidRows);
+    clean_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_clean"},
+                      {"frame", "view", "fluidSmoothPicture", "fluidDepthPicture", "depthPicture"}, targets.fluidRows);
     loadShading(gpu, table, settings);
     if (FoamStage::isNeeded(world)) loadFoam(gpu, table, settings);
 }

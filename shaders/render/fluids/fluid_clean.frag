@@ -1,19 +1,39 @@
-// What rows and columns alone leave behind: the mean over 5 x 5 pixels of those in range.
+// What rows and columns alone leave behind: the mean over 5 x 5 pixels of those in range, in pairs as in fluid_smooth.
 #include "render/common/frame_blocks.glsl"
 
 uniform sampler2D fluidSmoothPicture;
+uniform sampler2D fluidDepthPicture;
+uniform sampler2D depthPicture;
 layout(location = 0) out float cleaned;   // [m]
+
+float depthAt(ivec2 pixel)
+{
+    ivec2 last = ivec2(frame.width, frame.height) - 1;
+    return texelFetch(fluidSmoothPicture, clamp(pixel, ivec2(0), last), 0).r;
+}
+
+/// The smaller change of depth to either side.
+float slantAlong(ivec2 pixel, ivec2 way, float here)
+{
+    return min(abs(depthAt(pixel + way) - here), abs(depthAt(pixel - way) - here));
+}
 
 void main()
 {
-    ivec2 pixel = ivec2(gl_FragCoord.xy), last = ivec2(frame.width, frame.height) - 1;
-    float here = texelFetch(fluidSmoothPicture, pixel, 0).r, range = 0.6 * frame.fluidRadius, sum = 0.0, weights = 0.0;
-    for (int y = -2; y <= 2; ++y)
-        for (int x = -2; x <= 2; ++x) {
-            float depth = texelFetch(fluidSmoothPicture, clamp(pixel + ivec2(x, y), ivec2(0), last), 0).r;
-            float weight = max(1.0 - abs(depth - here) / range, 0.0);
-            sum += weight * depth;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float here = depthAt(pixel), sum = 0.0, weights = 1.0;
+    float slant = max(slantAlong(pixel, ivec2(1, 0), here), slantAlong(pixel, ivec2(0, 1), here));
+    float inverseRange = 2.0 / (0.3 * frame.fluidRadius + slant);
+    for (int y = 0; y <= 2; ++y)
+        for (int x = y == 0 ? 1 : -2; x <= 2; ++x) {
+            float away = 0.5 * (depthAt(pixel + ivec2(x, y)) + depthAt(pixel - ivec2(x, y))) - here;
+            float weight = max(2.0 - inverseRange * abs(away), 0.0);
+            sum += weight * away;
             weights += weight;
         }
-    cleaned = here < frame.farDepth ? sum / weights : here;
+    cleaned = here < frame.farDepth ? here + sum / weights : here;
+    // What is well before a thing stays before it: smoothed at a slant, it may come to lie behind.
+    float unsmoothed = texelFetch(fluidDepthPicture, pixel, 0).r * frame.farDepth;
+    float scene = texelFetch(depthPicture, pixel, 0).r * frame.farDepth;
+    if (unsmoothed + 0.3 * frame.fluidRadius < scene) cleaned = min(cleaned, scene - 0.01 * frame.fluidRadius);
 }
