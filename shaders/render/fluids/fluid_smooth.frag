@@ -29,7 +29,8 @@ void main()
     bool any = here < frame.farDepth;
     vec2 beside = vec2(fluidDepth(max(pixel - 2 * STEP, ivec2(0))), fluidDepth(min(pixel + 2 * STEP, last)));
     float slant = min(abs(beside.x - here), abs(beside.y - here));
-    float radius = frame.fluidRadius, further = 4.0 / (RANGE * radius + slant), nearer = 1.0 / (NEARER * radius + slant);
+    float radius = frame.fluidRadius;
+    float further = 4.0 / (RANGE * radius + slant), nearer = 1.0 / (NEARER * radius + slant);
     float pixels = WIDTH * radius * float(frame.height) / (2.0 * frame.tanHalfFov * max(here, radius));
     pixels = any ? clamp(pixels, 1.0, MOST_PIXELS) : 0.0;
     int step = int(ceil(pixels / float(MOST_TAPS)));
@@ -43,7 +44,8 @@ void main()
         float away = 2.0 * depths.x * depths.y / (depths.x + depths.y) - here;
         vec2 bounded = min(depths, vec2(here + BEYOND * radius));
         float taken = mix(0.5 * (bounded.x + bounded.y) - here, away, clamp(5.0 - further * away, 0.0, 1.0));
-        float q = float(k) / pixels, weight = counts ? 2.0 * exp(-3.0 * q * q) * clamp(2.0 + nearer * away, 0.0, 1.0) : 0.0;
+        float q = float(k) / pixels, share = clamp(2.0 + nearer * away, 0.0, 1.0);
+        float weight = counts ? 2.0 * exp(-3.0 * q * q) * share : 0.0;
         sum += weight * taken;
         weights += weight;
     }
