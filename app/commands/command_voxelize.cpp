@@ -34,6 +34,7 @@ void addVoxelizeCommand(CommandLine line)
         "Examples:\n"
         "  knuckle voxelize model.glb                               print the table only\n"
         "  knuckle voxelize model.glb -o actor.json --particles 3000 --preview actor.png\n"
+        "  knuckle voxelize model.glb -o figure.urdf                bodies with masses, joints with limits, capsules\n"
         "  knuckle voxelize models/*.glb -o actors/                 each into actors/, and a line for each\n"
         "  knuckle voxelize model.glb --keep '*tail*' --merge 'hair*'   * is any part of a name, ? any letter\n"
         "  knuckle voxelize pair.fbx --skeleton Hips                one of two figures; without, their names are told\n"
@@ -43,8 +44,10 @@ void addVoxelizeCommand(CommandLine line)
     command->add_option("MODEL", options->models, "The rigged model; several, or folders of them: each by itself")
         ->required();
     command
-        ->add_option("-o,--output", options->output,
-                     "Write the actor here; - is standard output; of several models a folder")
+        ->add_option(
+            "-o,--output", options->output,
+            "Write the actor here, for simulators of robots as .urdf or .mjcf; - is standard output; of several "
+            "models a folder")
         ->type_name("actor.json");
     auto* diameter = command->add_option("--diameter", options->diameter, "Diameter of a particle [m]")
                          ->check(numberBetween(SMALLEST_DIAMETER, 10.0))

@@ -8,10 +8,12 @@
 #include <system_error>
 
 #include "app/files/actor_check.h"
+#include "app/files/robot/robot.h"
 #include "app/json/fields.h"
 #include "app/json/joint_limits.h"
 #include "app/json/json.h"
 #include "app/schema/schema.h"
+#include "sim/base/files/endings.h"
 
 namespace knuckle {
 
@@ -176,7 +178,10 @@ void writeActor(OutputFile& file, const std::string& path, const Actor& actor)
     const fs::path folder = file.isStream() ? fs::current_path(gone) : fs::absolute(path, gone).parent_path();
     if (std::string& model = placed.model.file; !model.empty() && !gone)
         model = fs::absolute(model, gone).lexically_proximate(folder).generic_string();
-    file.write(actorText(placed));
+    const std::string ending = endingOf(path);
+    file.write(ending == ".urdf"   ? urdfOf(robotOf(actor))
+               : ending == ".mjcf" ? mjcfOf(robotOf(actor))
+                                   : actorText(placed));
     file.commit();
 }
 

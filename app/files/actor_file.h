@@ -9,7 +9,8 @@ namespace knuckle {
 
 /// The actor as JSON text, schema assets/schema/actor.schema.json. Every float survives the round trip exactly.
 std::string actorText(const Actor& actor);
-/// Writes actorText() to a file that was opened as `path`: Actor::model becomes relative to that. @throws RunError.
+/// Writes it to a file that was opened as `path`: as URDF or MJCF by its ending (robot.h), else actorText(), with
+/// Actor::model relative to that. @throws RunError.
 void writeActor(OutputFile& file, const std::string& path, const Actor& actor);
 /// The same for a file by its name. @throws RunError, InputError.
 void writeActor(const std::string& path, const Actor& actor);

@@ -138,7 +138,7 @@ int voxelizeModels(const VoxelizeOptions& options, const CommonOptions& common)
     const bool folder = options.output.ends_with('/') || options.preview.ends_with('/');
     if (models.size() > 1 || folder || models[0] != findAsset(options.models[0]))
         return voxelizeSeveral(models, options, common);
-    if (!options.output.empty()) requireEnding("-o ", options.output, "an actor", {".json"});
+    if (!options.output.empty()) requireEnding("-o ", options.output, "an actor", {".json", ".urdf", ".mjcf"});
     if (!options.preview.empty()) requireEnding("--preview ", options.preview, "a picture", {".png"});
     const VoxelizeFiles files{models[0], options.output, options.preview};
     requireOwnPaths({files}, options);
