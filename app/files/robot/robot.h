@@ -37,12 +37,12 @@ struct Robot {
     std::vector<std::array<uint32_t, 2>> apart;  ///< Links that never touch, besides parents and children.
 };
 
-/// @param density of its particles [kg/m3]. A ball's cone becomes ranges about two axes across it, a universal joint two
-/// hinges on either side of its cross.
+/// @param density of its particles [kg/m3]. A ball's cone becomes ranges about two axes across it, a universal joint
+/// two hinges on either side of its cross.
 Robot robotOf(const Actor& actor, float density = 1000.0f);
 
-/// The Unified Robot Description Format of ROS: several turns of one joint have small links between them, since it has no
-/// other joints than hinges.
+/// The Unified Robot Description Format of ROS: several turns of one joint have small links between them, since it has
+/// no other joints than hinges.
 std::string urdfOf(const Robot& robot);
 /// MuJoCo's XML.
 std::string mjcfOf(const Robot& robot);
