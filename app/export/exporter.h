@@ -14,7 +14,7 @@ namespace knuckle {
 /// Requirements of an exporter: surfaces of the scene, and data read back for each frame.
 struct ExportNeeds {
     bool surfaces = false;  ///< Meshes of models with materials and textures, see loadScene().
-    bool particles = false, bodies = false, measures = false;
+    bool particles = false, bodies = false, measures = false, densities = false;
 };
 
 /// One frame of a run. Members that no exporter of the run needs are null.
@@ -24,6 +24,7 @@ struct ExportFrame {
     const ParticleState* particles = nullptr;
     const std::vector<BodyState>* bodies = nullptr;  ///< As World::bodies.
     const Measures* measures = nullptr;
+    const std::vector<float>* densities = nullptr;  ///< As FrameRecord::densities; null: of stored states.
 };
 
 /// A writer of `--export KIND=PATH`: begin(), frame() for each drawn frame, finish(). It is made before the scene is

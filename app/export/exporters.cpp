@@ -11,6 +11,7 @@
 #include "app/export/gltf.h"
 #include "app/export/measures.h"
 #include "app/export/ply.h"
+#include "app/export/vtk/vtk.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
 
@@ -46,6 +47,11 @@ const std::vector<ExportKind>& exportKinds()
          "per frame: id, position, velocity, body and material of each particle, binary PLY",
          {},
          make<PlyExport>},
+        {"vtk",
+         "FOLDER",
+         "per frame: the same, radius, and density of fluids, VTK PolyData; frames.pvd is all of them",
+         {},
+         make<VtkExport>},
         {"bodies", "FILE.csv", "frame, body, object, name, position, quaternion, velocity, angular velocity, CSV",
          TABLE, make<BodyExport>},
         {"measures", "FILE.csv", "per frame: contacts, penetration, joint gaps, rigidity, strain, density, energy, CSV",
@@ -119,6 +125,7 @@ ExportNeeds needsOf(const Exporters& exporters)
         all.particles = all.particles || needs.particles;
         all.bodies = all.bodies || needs.bodies;
         all.measures = all.measures || needs.measures;
+        all.densities = all.densities || needs.densities;
     }
     return all;
 }

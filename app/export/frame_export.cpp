@@ -16,7 +16,8 @@ void exportFrame(const FrameRecord& record, const World& world, const ExportNeed
                             .world = world,
                             .particles = particles ? &*particles : nullptr,
                             .bodies = bodies ? &*bodies : nullptr,
-                            .measures = record.measures ? &*record.measures : nullptr};
+                            .measures = record.measures ? &*record.measures : nullptr,
+                            .densities = record.densities ? &*record.densities : nullptr};
     for (const auto& exporter : exporters) exporter->frame(frame);
 }
 

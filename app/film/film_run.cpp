@@ -37,7 +37,7 @@ public:
         const bool timed = outputs_.stats.has_value();
         if (timed) noteFigures();
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
-        if (!common.quiet) tellLeftOut();
+        if (!common.quiet) outputs_.tellLeftOut(scene_.world);
         if (outputs_.hasLabels() || checkpoint_ || options.record.any() || options.branch)
             facts_ = factsOf(scene, *gpu_, options.source);
         if (options.record.any()) recording_.emplace(options.record, scene, facts_, begin_, range_.last);
@@ -176,15 +176,6 @@ private:
 
     bool isDrawn(uint64_t frame) const { return range_.has(frame) && outputs_.wantsPicture(frame); }
 
-    void tellLeftOut() const
-    {
-        for (const auto& exporter : outputs_.exporters) {
-            const std::vector<std::string> names = exporter->leftOut(scene_.world);
-            if (names.empty()) continue;
-            tellUser(fmt::format("knuckle: note: {} leaves out {}", exporter->path(), fmt::join(names, ", ")));
-        }
-    }
-
     void noteFigures()
     {
         solver_.timePasses();
@@ -231,6 +222,7 @@ private:
         if (needs.particles || (recording_ && recording_->wantsView(frame))) record.view = steps_.readView();
         else if (needs.bodies) record.bodies = solver_.readBodies();
         if (needs.measures) record.measures = solver_.measure();
+        if (needs.densities) record.densities = solver_.fluidDensities();
         if (recording_ && recording_->wantsState(frame)) record.state = saveState(frame);
         return record;
     }

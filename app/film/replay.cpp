@@ -11,6 +11,7 @@
 #include "app/run/counted.h"
 #include "app/run/interrupt.h"
 #include "app/run/progress.h"
+#include "app/run/tell.h"
 #include "app/states/picture_labels.h"
 #include "render/quantities/color_scale.h"
 #include "render/stored_view.h"
@@ -75,6 +76,8 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
         throw InputError(fmt::format("--export measures: {} does not hold what they are measured from; export them in "
                                      "the run that simulates",
                                      states.path()));
+    if (needsOf(exporters).densities && scene.world.fluidCount > 0 && !common.quiet)
+        tellUser("knuckle: note: exports leave out densities, which " + states.path() + " does not hold");
     const std::vector<uint64_t> frames = chosenFrames(states, options.frames);
     const FrameRange range{frames.front(), frames.back(), options.frames.stride};
     const std::vector<FilmView> views = viewsOf(scene, options);
