@@ -9,6 +9,7 @@
 #include "app/export/bodies.h"
 #include "app/export/bvh.h"
 #include "app/export/gltf.h"
+#include "app/export/layers/layers.h"
 #include "app/export/measures.h"
 #include "app/export/ply.h"
 #include "app/export/vtk/vtk.h"
@@ -66,6 +67,11 @@ const std::vector<ExportKind>& exportKinds()
          "the motion as one clip: actors with skeleton and mesh, other bodies as nodes, glTF 2.0 binary",
          {"a motion as glTF", {".glb"}},
          make<GltfExport>},
+        {"layers",
+         "FOLDER",
+         "per frame: depth, normals, albedo, ids, motion of each pixel, EXR; camera.json, annotations.json",
+         {},
+         make<LayerExport>},
     };
     return KINDS;
 }
@@ -126,6 +132,7 @@ ExportNeeds needsOf(const Exporters& exporters)
         all.bodies = all.bodies || needs.bodies;
         all.measures = all.measures || needs.measures;
         all.densities = all.densities || needs.densities;
+        all.views = all.views || needs.views;
     }
     return all;
 }

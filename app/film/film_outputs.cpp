@@ -58,7 +58,10 @@ void addOutputs(const FilmOptions& options, const Exporters& exporters, const Sc
         if (isFilm(path)) paths.writes(path);
         else paths.writesFrames(FrameNames::of(path));
     }
-    for (const auto& exporter : exporters) exporter->addPaths(scene, paths);
+    for (const auto& exporter : exporters) {
+        if (exporter->needs().views) exporter->setViews(viewsOf(scene, options));
+        exporter->addPaths(scene, paths);
+    }
     for (const std::string& path : {options.stats, options.record.states, options.record.last})
         if (!path.empty()) paths.writes(path);
 }

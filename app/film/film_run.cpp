@@ -35,6 +35,7 @@ public:
           progress_("frame", range_.last, common.quiet), quiet_(common.quiet), done_(begin_ - 1)
     {
         const bool timed = outputs_.stats.has_value();
+        exporting_.emplace(outputs_.exporters, *gpu_);
         if (timed) noteFigures();
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
         if (!common.quiet) outputs_.tellLeftOut(scene_.world);
@@ -211,15 +212,17 @@ private:
     void give(const FrameRecord& record)
     {
         if (record.number >= range_.first) exportFrame(record, scene_.world, outputs_.needs, outputs_.exporters);
+        else passFrame(record, scene_.world, outputs_.exporters);
         if (recording_) recording_->frame(record);
     }
 
     /// @param exported whether exporters get the frame.
     FrameRecord readBack(uint64_t frame, bool exported)
     {
-        const ExportNeeds needs = exported ? outputs_.needs : ExportNeeds{};
+        const ExportNeeds needs = exported ? outputs_.needs : ExportNeeds{.views = outputs_.needs.views};
         FrameRecord record{.number = frame};
-        if (needs.particles || (recording_ && recording_->wantsView(frame))) record.view = steps_.readView();
+        if (needs.particles || needs.views || (recording_ && recording_->wantsView(frame)))
+            record.view = steps_.readView();
         else if (needs.bodies) record.bodies = solver_.readBodies();
         if (needs.measures) record.measures = solver_.measure();
         if (needs.densities) record.densities = solver_.fluidDensities();
@@ -250,6 +253,7 @@ private:
     std::unique_ptr<Checkpoint> checkpoint_;
     FilmOutputs outputs_;
     std::unique_ptr<Gpu> gpu_;
+    std::optional<OpenExporters> exporting_;
     Solver solver_;
     FilmSteps steps_;
     std::unique_ptr<FrameDrawing> drawing_;

@@ -83,6 +83,7 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
     const std::vector<FilmView> views = viewsOf(scene, options);
     const FilmOutputs outputs(scene, options, range, std::move(exporters));
     const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(views)});
+    const OpenExporters exporting(outputs.exporters, *gpu);
     StoredView stored(scene.world);
     const RunFacts facts = outputs.hasLabels() ? factsOf(scene, *gpu, options.source) : RunFacts();
     DrawingHere drawing(*gpu, scene, views, outputs.sinks, false);
@@ -103,7 +104,10 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
         const bool labelled = drawn && outputs.hasLabels();
         drawing.take(stored.upload(*record.view),
                      {frame, time, drawn, {}, labelled ? labelsOf(facts, frame, stateHash(*record.view)) : PngText()});
-        if (!wanted) continue;
+        if (!wanted) {
+            passFrame(record, scene.world, outputs.exporters);
+            continue;
+        }
         exportFrame(record, scene.world, outputs.needs, outputs.exporters);
         drawing.fetch();
         interrupt.check();

@@ -26,7 +26,7 @@ public:
     void drawGlass(KernelTimer& timer) const { drawShapes(timer, glass_, glassCount_); }
 
 private:
-    void upload(const World& world, const SceneExtent& extent);
+    void upload(const World& world, const SceneExtent& extent, bool seesThrough);
     static void drawShapes(KernelTimer& timer, const DrawPass& pass, uint32_t count);
 
     MeshPass meshes_;
