@@ -11,7 +11,7 @@ from runs import Runs, read_ply
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs/example"))
-from overlay_ids import read_exr
+from overlay_ids import overlay, read_exr
 
 SPEED, RATE, RADIUS, BALL = np.array([0.9, 0.3, -0.6]), 50, 0.25, np.array([-0.3, 0.9, 0.3])
 STONE, STONE_RADIUS = np.array([0.6, 0.5, -0.4]), 0.4
