@@ -12,6 +12,8 @@
 #include "app/export/layers/layers.h"
 #include "app/export/measures.h"
 #include "app/export/ply.h"
+#include "app/export/surface/surface.h"
+#include "app/export/vdb/vdb.h"
 #include "app/export/vtk/vtk.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
@@ -67,6 +69,16 @@ const std::vector<ExportKind>& exportKinds()
          "the motion as one clip: actors with skeleton and mesh, other bodies as nodes, glTF 2.0 binary",
          {"a motion as glTF", {".glb"}},
          make<GltfExport>},
+        {"surface",
+         "FOLDER",
+         "per frame: the surface of fluids as a closed mesh with normals, binary PLY",
+         {},
+         make<SurfaceExport>},
+        {"vdb",
+         "FOLDER",
+         "per frame: points with id and velocity, level set of fluids, OpenVDB; where the program was built with it",
+         {},
+         make<VdbExport>},
         {"layers",
          "FOLDER",
          "per frame: depth, normals, albedo, ids, motion of each pixel, EXR; camera.json, annotations.json",

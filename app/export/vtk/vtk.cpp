@@ -49,16 +49,16 @@ VtpPoints pointsOf(const ExportFrame& frame)
 
 }  // namespace
 
-void VtkExport::addPaths(const Scene& /*scene*/, RunPaths& paths) const
+void VtkExport::addPaths(const Scene& scene, RunPaths& paths) const
 {
-    paths.writesFrames(names());
+    FolderExport::addPaths(scene, paths);
     paths.writes(series());
 }
 
 void VtkExport::begin(const Scene& scene)
 {
     framesPerSecond_ = scene.framesPerSecond;
-    requireWritableFolder(path());
+    FolderExport::begin(scene);
 }
 
 void VtkExport::frame(const ExportFrame& frame)

@@ -4,17 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "app/export/exporter.h"
-#include "render/output/frame_names.h"
+#include "app/export/folder_export.h"
 
 namespace knuckle {
 
 /// Writes frame_0001.vtp and so on into a folder, and frames.pvd, which names them with their times [s]: VTK PolyData
 /// of the particles that are there, a vertex each, with id, body (-1: none), material, velocity [m/s], radius [m] and
 /// density [kg/m3]. Arrays are 32 bits, base64 in place.
-class VtkExport : public Exporter {
+class VtkExport : public FolderExport {
 public:
-    using Exporter::Exporter;
+    explicit VtkExport(std::string path) : FolderExport(std::move(path), ".vtp") {}
     ExportNeeds needs() const override { return {.particles = true, .densities = true}; }
     void addPaths(const Scene& scene, RunPaths& paths) const override;
     void begin(const Scene& scene) override;
@@ -22,7 +21,6 @@ public:
     void finish() override;
 
 private:
-    FrameNames names() const { return {.folder = path(), .after = ".vtp"}; }
     std::string series() const { return path() + "/frames.pvd"; }
 
     double framesPerSecond_ = 60.0;

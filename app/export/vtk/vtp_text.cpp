@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <numeric>
 #include <span>
 
+#include "app/export/binary.h"
 #include "sim/base/base64.h"
 
 namespace knuckle {
 
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "the VTK writer copies values as they lie in memory");
 
 constexpr const char* wordOf(float)
 {
@@ -32,16 +30,18 @@ template <typename T>
 std::string dataArray(const char* name, const std::vector<T>& values, int width = 1)
 {
     const uint64_t size = values.size() * sizeof(T);
-    std::string bytes(reinterpret_cast<const char*>(&size), sizeof size);
+    std::string bytes;
+    appendBytes(bytes, size);
     bytes.append(reinterpret_cast<const char*>(values.data()), size);
     return fmt::format(
         "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">{}</DataArray>\n", wordOf(T{}),
         name, width, toBase64(bytes));
 }
 
-/// Strings are written as the numbers of their bytes, each ended by a 0.
+/// Strings are written as the numbers of their bytes, each ended by a 0. None: no array.
 std::string nameArray(const char* name, const std::vector<std::string>& texts)
 {
+    if (texts.empty()) return "";
     std::string out = fmt::format("<Array type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">", name,
                                   texts.size());
     for (const std::string& text : texts) {
