@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/scene/scene_file.h"
+#include "render/layers/layer_renderer.h"
+#include "render/layers/scene_things.h"
 #include "render/renderer.h"
 #include "sim/solver/stepped_solver.h"
 
@@ -53,13 +55,18 @@ public:
     /// @throws std::logic_error if it is of another scene.
     void load(const SessionState& state) { solver_.load(state.solver, state.steps); }
     Image picture(const PictureWish& wish);
+    /// Pictures as numbers; the quality does not count. What moves from frame to frame is not known.
+    Layers layers(const PictureWish& wish);
+    const SceneThings& things() const { return things_; }
 
 private:
     RenderSettings settingsFor(const PictureWish& wish) const;
 
     std::shared_ptr<const Scene> scene_;
     SteppedSolver solver_;
-    std::map<PictureWish, std::unique_ptr<Renderer>> renderers_;  ///< MOST_RENDERERS at most.
+    SceneThings things_;
+    std::map<PictureWish, std::unique_ptr<Renderer>> renderers_;            ///< MOST_RENDERERS at most.
+    std::map<PictureWish, std::unique_ptr<LayerRenderer>> layerRenderers_;  ///< The same.
 };
 
 }  // namespace knuckle

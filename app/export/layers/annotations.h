@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/export/layers/key_points.h"
-#include "app/export/layers/scene_things.h"
 #include "app/json/json.h"
+#include "render/layers/scene_things.h"
 
 namespace knuckle {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/export/layers/pixel_motion.h"
-#include "app/export/layers/scene_things.h"
 #include "app/export/rig.h"
+#include "render/layers/scene_things.h"
 
 namespace knuckle {
 

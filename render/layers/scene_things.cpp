@@ -1,4 +1,4 @@
-#include "app/export/layers/scene_things.h"
+#include "render/layers/scene_things.h"
 
 #include <algorithm>
 
