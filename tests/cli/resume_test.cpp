@@ -15,9 +15,26 @@ class Resume : public CliTest {
 protected:
     static std::vector<std::string> outputs()
     {
-        return {"-o",       "out/f",          "-o",       "out/film.mp4",        "--export",       "ply=out/ply",
-                "--export", "vtk=out/vtk",    "--export", "bodies=out/b.csv",    "--export",       "measures=out/m.csv",
-                "--export", "gltf=out/g.glb", "--record", "states=out/r.states", "--record-every", "7"};
+        return {"-o",
+                "out/f",
+                "-o",
+                "out/film.mp4",
+                "--export",
+                "ply=out/ply",
+                "--export",
+                "vtk=out/vtk",
+                "--export",
+                "layers=out/layers",
+                "--export",
+                "bodies=out/b.csv",
+                "--export",
+                "measures=out/m.csv",
+                "--export",
+                "gltf=out/g.glb",
+                "--record",
+                "states=out/r.states",
+                "--record-every",
+                "7"};
     }
     RunResult render(std::vector<std::string> more, RunOptions options = {}) const
     {
@@ -50,7 +67,7 @@ protected:
         for (const std::string& word : outputs()) words.push_back(word);
         EXPECT_EQ(run(words).code, 0);
         std::map<std::string, std::string> files = left();
-        EXPECT_EQ(files.size(), 30u + 30u + 31u + 5u);
+        EXPECT_EQ(files.size(), 30u + 30u + 31u + 32u + 5u);
         fs::remove_all(folder.path("out"));
         return files;
     }

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Files of `--export` as other programs read them. export_test.sh KNUCKLE [name...]: test_NAME.py alone
 set -euo pipefail
+KNUCKLE=$(realpath "$1")
 cd "$(dirname "$0")"
-export KNUCKLE=$1 LP_NUM_THREADS=0 PYTHONDONTWRITEBYTECODE=1
+export KNUCKLE LP_NUM_THREADS=0 PYTHONDONTWRITEBYTECODE=1
 shift
 python=/usr/bin/python3   # the system's, which has NumPy, whatever environment this runs in
 [[ -x $python ]] || python=python3

@@ -1,6 +1,6 @@
 #include "app/export/layers/layers.h"
 
-#include <stdexcept>
+#include <algorithm>
 
 #include "sim/base/files/output_file.h"
 
@@ -8,7 +8,10 @@ namespace knuckle {
 
 std::string LayerExport::folderOf(const FilmView& view) const
 {
-    return view.camera.empty() ? path() : path() + "/" + view.camera;
+    if (view.camera.empty()) return path();
+    std::string name = view.camera;
+    std::ranges::replace(name, '/', '_');
+    return path() + "/" + (name.starts_with('.') ? "camera" + name : name);
 }
 
 void LayerExport::addPaths(const Scene& /*scene*/, RunPaths& paths) const
