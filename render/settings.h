@@ -114,6 +114,7 @@ struct RenderSettings {
     float bloom = 0.0f;     ///< Share of the light that is spread over the picture, 0 ... 1.
     float vignette = 0.0f;  ///< Share of the light that corners lack, 0 ... 1.
     FogSettings fog;
+    bool layers = false;        ///< Drawn as numbers instead of a picture, see layerSettings().
     uint32_t antialiasing = 1;  ///< Samples per axis and pixel, 1 ... 4. Edges are always filtered; time grows with
                                 ///< the square.
 };

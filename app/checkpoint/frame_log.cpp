@@ -26,6 +26,11 @@ std::string measuresBlock(uint64_t frame)
     return fmt::format("measures {}", frame);
 }
 
+std::string densitiesBlock(uint64_t frame)
+{
+    return fmt::format("densities {}", frame);
+}
+
 /// A body's position, rotation xyzw, velocity and angular velocity.
 constexpr size_t BODY_FLOATS = 13;
 
@@ -107,6 +112,8 @@ std::vector<std::string> packRecord(const FrameRecord& record, const ViewCoding&
     if (record.measures)
         blocks.push_back(
             packBlock(measuresBlock(record.number), std::as_bytes(std::span(&*record.measures, 1)), BlockKind::Words));
+    if (record.densities)
+        blocks.push_back(packArray(densitiesBlock(record.number), std::span<const float>(*record.densities)));
     return blocks;
 }
 
@@ -116,6 +123,7 @@ FrameRecord unpackRecord(const BlockReader& log, uint64_t frame, const ViewCodin
     if (log.has(frameBlock(frame, "positions"))) record.view = coding.unpack(log, frame);
     if (hasState(log, frame)) record.state = unpackState(log, frame);
     if (log.has(bodiesBlock(frame))) record.bodies = unpackBodies(log, frame);
+    if (log.has(densitiesBlock(frame))) record.densities = log.readArray<float>(densitiesBlock(frame));
     if (log.has(measuresBlock(frame))) {
         const auto measures = log.readArray<Measures>(measuresBlock(frame));
         if (measures.size() == 1) record.measures = measures[0];

@@ -30,7 +30,7 @@ private:
     uint64_t bytes_ = 0;
 };
 
-/// Blocks "frame N/...", "state N/...", "bodies N", "measures N" of what the record has.
+/// Blocks "frame N/...", "state N/...", "bodies N", "measures N", "densities N" of what the record has.
 std::vector<std::string> packRecord(const FrameRecord& record, const ViewCoding& coding);
 /// A record without anything if the log has none of that frame. @throws InputError.
 FrameRecord unpackRecord(const BlockReader& log, uint64_t frame, const ViewCoding& coding);

@@ -9,8 +9,12 @@
 #include "app/export/bodies.h"
 #include "app/export/bvh.h"
 #include "app/export/gltf.h"
+#include "app/export/layers/layers.h"
 #include "app/export/measures.h"
 #include "app/export/ply.h"
+#include "app/export/surface/surface.h"
+#include "app/export/vdb/vdb.h"
+#include "app/export/vtk/vtk.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
 
@@ -46,6 +50,11 @@ const std::vector<ExportKind>& exportKinds()
          "per frame: id, position, velocity, body and material of each particle, binary PLY",
          {},
          make<PlyExport>},
+        {"vtk",
+         "FOLDER",
+         "per frame: the same, radius, and density of fluids, VTK PolyData; frames.pvd is all of them",
+         {},
+         make<VtkExport>},
         {"bodies", "FILE.csv", "frame, body, object, name, position, quaternion, velocity, angular velocity, CSV",
          TABLE, make<BodyExport>},
         {"measures", "FILE.csv", "per frame: contacts, penetration, joint gaps, rigidity, strain, density, energy, CSV",
@@ -60,6 +69,21 @@ const std::vector<ExportKind>& exportKinds()
          "the motion as one clip: actors with skeleton and mesh, other bodies as nodes, glTF 2.0 binary",
          {"a motion as glTF", {".glb"}},
          make<GltfExport>},
+        {"surface",
+         "FOLDER",
+         "per frame: the surface of fluids as a closed mesh with normals, binary PLY",
+         {},
+         make<SurfaceExport>},
+        {"vdb",
+         "FOLDER",
+         "per frame: points with id and velocity, level set of fluids, OpenVDB; where the program was built with it",
+         {},
+         make<VdbExport>},
+        {"layers",
+         "FOLDER",
+         "per frame: depth, normals, albedo, ids, motion of each pixel, EXR; camera.json, annotations.json",
+         {},
+         make<LayerExport>},
     };
     return KINDS;
 }
@@ -119,6 +143,8 @@ ExportNeeds needsOf(const Exporters& exporters)
         all.particles = all.particles || needs.particles;
         all.bodies = all.bodies || needs.bodies;
         all.measures = all.measures || needs.measures;
+        all.densities = all.densities || needs.densities;
+        all.views = all.views || needs.views;
     }
     return all;
 }

@@ -3,23 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <filesystem>
 
+#include "app/export/binary.h"
 #include "sim/base/files/output_file.h"
-#include "sim/base/files/output_place.h"
 
 namespace knuckle {
 
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "the PLY writer copies values as they lie in memory");
-
-template <typename T>
-void append(std::string& out, const T& value)
-{
-    out.append(reinterpret_cast<const char*>(&value), sizeof(T));
-}
 
 /// A line for each material: its index and name, without characters that end the line.
 std::string materialComments(const World& world)
@@ -35,16 +25,6 @@ std::string materialComments(const World& world)
 
 }  // namespace
 
-void PlyExport::addPaths(const Scene& /*scene*/, RunPaths& paths) const
-{
-    paths.writesFrames(names());
-}
-
-void PlyExport::begin(const Scene& /*scene*/)
-{
-    requireWritableFolder(path());
-}
-
 void PlyExport::frame(const ExportFrame& frame)
 {
     const ParticleState& state = *frame.particles;
@@ -57,16 +37,13 @@ void PlyExport::frame(const ExportFrame& frame)
     for (uint32_t i = 0; i < state.positions.size(); ++i) {
         if (state.inactive[i]) continue;
         const Particle& particle = frame.world.particles[i];
-        append(text, i);
-        for (const Vector3f& vector : {state.positions[i], state.velocities[i]}) {
-            for (int axis = 0; axis < 3; ++axis) append(text, vector[axis]);
-        }
-        append(text, static_cast<int32_t>(particle.body));  // NO_INDEX becomes -1
-        append(text, particle.material);
+        appendBytes(text, i);
+        appendBytes(text, state.positions[i]);
+        appendBytes(text, state.velocities[i]);
+        appendBytes(text, static_cast<int32_t>(particle.body));  // NO_INDEX becomes -1
+        appendBytes(text, particle.material);
     }
-    OutputFile file(names().path(frame.number));
-    file.write(text);
-    file.commit();
+    writeFile(names().path(frame.number), text);
 }
 
 }  // namespace knuckle

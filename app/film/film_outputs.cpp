@@ -1,10 +1,12 @@
 #include "app/film/film_outputs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "app/run/tell.h"
 #include "render/output/existing_pictures.h"
 #include "render/output/film_kinds.h"
 #include "sim/base/errors.h"
@@ -56,7 +58,10 @@ void addOutputs(const FilmOptions& options, const Exporters& exporters, const Sc
         if (isFilm(path)) paths.writes(path);
         else paths.writesFrames(FrameNames::of(path));
     }
-    for (const auto& exporter : exporters) exporter->addPaths(scene, paths);
+    for (const auto& exporter : exporters) {
+        if (exporter->needs().views) exporter->setViews(viewsOf(scene, options));
+        exporter->addPaths(scene, paths);
+    }
     for (const std::string& path : {options.stats, options.record.states, options.record.last})
         if (!path.empty()) paths.writes(path);
 }
@@ -123,6 +128,15 @@ std::unique_ptr<FrameSink> FilmOutputs::makeSink(const Scene& scene, const FilmO
 bool FilmOutputs::wantsPicture(uint64_t frame) const
 {
     return std::ranges::any_of(sinks, [&](const auto& sink) { return sink->wants(frame); });
+}
+
+void FilmOutputs::tellLeftOut(const World& world) const
+{
+    for (const auto& exporter : exporters) {
+        const std::vector<std::string> names = exporter->leftOut(world);
+        if (names.empty()) continue;
+        tellUser(fmt::format("knuckle: note: {} leaves out {}", exporter->path(), fmt::join(names, ", ")));
+    }
 }
 
 }  // namespace knuckle

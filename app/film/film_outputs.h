@@ -46,6 +46,9 @@ struct FilmOutputs {
     /// Whether its pictures have labels.
     bool hasLabels() const { return hasLabels_; }
 
+    /// Notes what exporters cannot write of the world.
+    void tellLeftOut(const World& world) const;
+
 private:
     std::unique_ptr<FrameSink> makeSink(const Scene& scene, const FilmOptions& options, size_t output,
                                         const FrameRange& range, Checkpoint* checkpoint);

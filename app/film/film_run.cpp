@@ -35,9 +35,10 @@ public:
           progress_("frame", range_.last, common.quiet), quiet_(common.quiet), done_(begin_ - 1)
     {
         const bool timed = outputs_.stats.has_value();
+        exporting_.emplace(outputs_.exporters, *gpu_);
         if (timed) noteFigures();
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
-        if (!common.quiet) tellLeftOut();
+        if (!common.quiet) outputs_.tellLeftOut(scene_.world);
         if (outputs_.hasLabels() || checkpoint_ || options.record.any() || options.branch)
             facts_ = factsOf(scene, *gpu_, options.source);
         if (options.record.any()) recording_.emplace(options.record, scene, facts_, begin_, range_.last);
@@ -176,15 +177,6 @@ private:
 
     bool isDrawn(uint64_t frame) const { return range_.has(frame) && outputs_.wantsPicture(frame); }
 
-    void tellLeftOut() const
-    {
-        for (const auto& exporter : outputs_.exporters) {
-            const std::vector<std::string> names = exporter->leftOut(scene_.world);
-            if (names.empty()) continue;
-            tellUser(fmt::format("knuckle: note: {} leaves out {}", exporter->path(), fmt::join(names, ", ")));
-        }
-    }
-
     void noteFigures()
     {
         solver_.timePasses();
@@ -220,17 +212,20 @@ private:
     void give(const FrameRecord& record)
     {
         if (record.number >= range_.first) exportFrame(record, scene_.world, outputs_.needs, outputs_.exporters);
+        else passFrame(record, scene_.world, outputs_.exporters);
         if (recording_) recording_->frame(record);
     }
 
     /// @param exported whether exporters get the frame.
     FrameRecord readBack(uint64_t frame, bool exported)
     {
-        const ExportNeeds needs = exported ? outputs_.needs : ExportNeeds{};
+        const ExportNeeds needs = exported ? outputs_.needs : ExportNeeds{.views = outputs_.needs.views};
         FrameRecord record{.number = frame};
-        if (needs.particles || (recording_ && recording_->wantsView(frame))) record.view = steps_.readView();
+        if (needs.particles || needs.views || (recording_ && recording_->wantsView(frame)))
+            record.view = steps_.readView();
         else if (needs.bodies) record.bodies = solver_.readBodies();
         if (needs.measures) record.measures = solver_.measure();
+        if (needs.densities) record.densities = solver_.fluidDensities();
         if (recording_ && recording_->wantsState(frame)) record.state = saveState(frame);
         return record;
     }
@@ -258,6 +253,7 @@ private:
     std::unique_ptr<Checkpoint> checkpoint_;
     FilmOutputs outputs_;
     std::unique_ptr<Gpu> gpu_;
+    std::optional<OpenExporters> exporting_;
     Solver solver_;
     FilmSteps steps_;
     std::unique_ptr<FrameDrawing> drawing_;

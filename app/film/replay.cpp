@@ -11,6 +11,7 @@
 #include "app/run/counted.h"
 #include "app/run/interrupt.h"
 #include "app/run/progress.h"
+#include "app/run/tell.h"
 #include "app/states/picture_labels.h"
 #include "render/quantities/color_scale.h"
 #include "render/stored_view.h"
@@ -75,11 +76,14 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
         throw InputError(fmt::format("--export measures: {} does not hold what they are measured from; export them in "
                                      "the run that simulates",
                                      states.path()));
+    if (needsOf(exporters).densities && scene.world.fluidCount > 0 && !common.quiet)
+        tellUser("knuckle: note: exports leave out densities, which " + states.path() + " does not hold");
     const std::vector<uint64_t> frames = chosenFrames(states, options.frames);
     const FrameRange range{frames.front(), frames.back(), options.frames.stride};
     const std::vector<FilmView> views = viewsOf(scene, options);
     const FilmOutputs outputs(scene, options, range, std::move(exporters));
     const auto gpu = openGpu(common, FrameWork{{}, drawingWorkload(views)});
+    const OpenExporters exporting(outputs.exporters, *gpu);
     StoredView stored(scene.world);
     const RunFacts facts = outputs.hasLabels() ? factsOf(scene, *gpu, options.source) : RunFacts();
     DrawingHere drawing(*gpu, scene, views, outputs.sinks, false);
@@ -100,7 +104,10 @@ void replayFilm(const StatesFile& states, const Scene& scene, const FilmOptions&
         const bool labelled = drawn && outputs.hasLabels();
         drawing.take(stored.upload(*record.view),
                      {frame, time, drawn, {}, labelled ? labelsOf(facts, frame, stateHash(*record.view)) : PngText()});
-        if (!wanted) continue;
+        if (!wanted) {
+            passFrame(record, scene.world, outputs.exporters);
+            continue;
+        }
         exportFrame(record, scene.world, outputs.needs, outputs.exporters);
         drawing.fetch();
         interrupt.check();

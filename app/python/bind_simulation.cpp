@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "app/json/json.h"
 #include "app/python/bind.h"
 #include "app/python/session.h"
@@ -100,6 +103,43 @@ py::array_t<uint8_t> renderOf(Session& session, std::array<uint32_t, 2> size, co
     return pixels;
 }
 
+py::dict cameraOf(const Layers& layers)
+{
+    py::array_t<double> matrix({4, 4});
+    auto out = matrix.mutable_unchecked<2>();
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) out(row, column) = layers.camera.toWorld.matrix()(row, column);
+    return py::dict("fx"_a = layers.camera.focal, "fy"_a = layers.camera.focal, "cx"_a = 0.5 * layers.width,
+                    "cy"_a = 0.5 * layers.height, "camera_to_world"_a = matrix);
+}
+
+py::dict layersOf(Session& session, std::array<uint32_t, 2> size, const py::object& camera)
+{
+    PictureWish wish{size[0], size[1], {}, {}};
+    if (!camera.is_none()) wish.camera = jsonText(camera);
+    const Layers layers = session.layers(wish);
+    const auto height = static_cast<py::ssize_t>(layers.height), width = static_cast<py::ssize_t>(layers.width);
+    py::array_t<float> depth({height, width}), normals({height, width, py::ssize_t{3}}),
+        albedo({height, width, py::ssize_t{3}});
+    py::array_t<uint32_t> object({height, width}), body({height, width}), material({height, width}),
+        particle({height, width}), collider({height, width});
+    for (size_t i = 0; i < layers.places.size(); ++i) {
+        const gpu::vec4 &place = layers.places[i], &color = layers.albedo[i];
+        depth.mutable_data()[i] = place.w < 0.0f ? std::numeric_limits<float>::infinity() : place.w;
+        std::ranges::copy(std::array{place.x, place.y, place.z}, normals.mutable_data() + 3 * i);
+        std::ranges::copy(std::array{color.x, color.y, color.z}, albedo.mutable_data() + 3 * i);
+        const PixelIds ids = session.things().idsOf(layers.things[i]);
+        object.mutable_data()[i] = ids.object;
+        body.mutable_data()[i] = ids.body;
+        material.mutable_data()[i] = ids.material;
+        particle.mutable_data()[i] = ids.particle;
+        collider.mutable_data()[i] = ids.collider;
+    }
+    return py::dict("depth"_a = depth, "normals"_a = normals, "albedo"_a = albedo, "object"_a = object, "body"_a = body,
+                    "material"_a = material, "particle"_a = particle, "collider"_a = collider,
+                    "objects"_a = session.things().names(), "camera"_a = cameraOf(layers));
+}
+
 }  // namespace
 
 void bindSimulation(py::module_& module)
@@ -148,7 +188,12 @@ void bindSimulation(py::module_& module)
         .def("render", &renderOf, "size"_a = std::array<uint32_t, 2>{640, 360}, "camera"_a = py::none(),
              "quality"_a = "",
              "A picture, uint8 [height, width, 4]. `camera`: a dict with the fields of a scene's camera, else the "
-             "scene's shots; `quality`: 'draft', 'good' or 'final', else the scene's.");
+             "scene's shots; `quality`: 'draft', 'good' or 'final', else the scene's.")
+        .def("layers", &layersOf, "size"_a = std::array<uint32_t, 2>{640, 360}, "camera"_a = py::none(),
+             "What each pixel of a picture shows, a dict of arrays [height, width]: float32 'depth' along the camera's "
+             "axis [m] (infinity: nothing), 'normals' in the world and 'albedo' [height, width, 3]; uint32 'object', "
+             "'body', 'material', 'particle', 'collider', each an index and 1 (0: none); 'objects', names; 'camera', a "
+             "dict of 'fx', 'fy', 'cx', 'cy' [pixels] and 'camera_to_world' [4, 4]. As --export layers writes them.");
     bindChanges(simulation);
 }
 

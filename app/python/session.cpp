@@ -9,10 +9,21 @@ namespace {
 /// Kept for pictures of the same wish; a camera that is moved by hand makes a new one each time.
 constexpr size_t MOST_RENDERERS = 8;
 
+/// The renderer of a wish, made if there is none.
+template <typename T, typename Make>
+T& rendererOf(std::map<PictureWish, std::unique_ptr<T>>& renderers, const PictureWish& wish, const Make& make)
+{
+    if (renderers.size() >= MOST_RENDERERS && !renderers.contains(wish))
+        std::erase_if(renderers, [](const auto& entry) { return !entry.first.camera.empty(); });
+    std::unique_ptr<T>& renderer = renderers[wish];
+    if (!renderer) renderer = make();
+    return *renderer;
+}
+
 }  // namespace
 
 Session::Session(std::shared_ptr<const Scene> scene, const std::string& device)
-    : scene_(std::move(scene)), solver_(scene_->world, device)
+    : scene_(std::move(scene)), solver_(scene_->world, device), things_(scene_->world)
 {
 }
 
@@ -37,12 +48,19 @@ RenderSettings Session::settingsFor(const PictureWish& wish) const
 Image Session::picture(const PictureWish& wish)
 {
     const ParticleView view = solver_.here().view();
-    if (renderers_.size() >= MOST_RENDERERS && !renderers_.contains(wish))
-        std::erase_if(renderers_, [](const auto& entry) { return !entry.first.camera.empty(); });
-    std::unique_ptr<Renderer>& renderer = renderers_[wish];
-    if (!renderer) renderer = std::make_unique<Renderer>(solver_.gpu(), scene_->world, settingsFor(wish));
-    renderer->draw(view, time());
-    return renderer->readImage();
+    Renderer& renderer = rendererOf(
+        renderers_, wish, [&] { return std::make_unique<Renderer>(solver_.gpu(), scene_->world, settingsFor(wish)); });
+    renderer.draw(view, time());
+    return renderer.readImage();
+}
+
+Layers Session::layers(const PictureWish& wish)
+{
+    const ParticleView view = solver_.here().view();
+    LayerRenderer& renderer = rendererOf(layerRenderers_, wish, [&] {
+        return std::make_unique<LayerRenderer>(solver_.gpu(), scene_->world, settingsFor(wish));
+    });
+    return renderer.draw(view, time());
 }
 
 }  // namespace knuckle

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "app/scene/scene_file.h"
+#include "render/layers/layer_renderer.h"
+#include "render/layers/scene_things.h"
 #include "render/renderer.h"
 #include "sim/solver/stepped_solver.h"
 
@@ -54,6 +56,9 @@ public:
     /// @throws std::logic_error if it is of another scene.
     void load(const SessionState& state) { solver_.load(state.solver, state.steps); }
     Image picture(const PictureWish& wish);
+    /// Pictures as numbers; the quality does not count. What moves from frame to frame is not known.
+    Layers layers(const PictureWish& wish);
+    const SceneThings& things() const { return things_; }
 
     // Changes before the next step. Names are "object", or "object/body"; @throws InputError for names that are not
     // there, numbers that are not finite, and what is held or follows a clip.
@@ -74,7 +79,9 @@ private:
 
     std::shared_ptr<const Scene> scene_;
     SteppedSolver solver_;
-    std::map<PictureWish, std::unique_ptr<Renderer>> renderers_;  ///< MOST_RENDERERS at most.
+    SceneThings things_;
+    std::map<PictureWish, std::unique_ptr<Renderer>> renderers_;            ///< MOST_RENDERERS at most.
+    std::map<PictureWish, std::unique_ptr<LayerRenderer>> layerRenderers_;  ///< The same.
 };
 
 }  // namespace knuckle

@@ -15,6 +15,7 @@ struct FrameRecord {
     std::optional<ViewState> view = {};
     std::optional<std::vector<BodyState>> bodies = {};
     std::optional<Measures> measures = {};
+    std::optional<std::vector<float>> densities = {};  ///< As Solver::fluidDensities().
     std::optional<RunState> state = {};
 };
 

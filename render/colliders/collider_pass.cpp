@@ -33,15 +33,17 @@ ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& worl
                            const SceneExtent& extent, const RenderTargets& targets)
     : meshes_(gpu, table, world, targets)
 {
-    upload(world, extent);
+    upload(world, extent, !settings.layers);
     table.add(Lifetime::Constant, planes_, shapes_);
     const bool haveLooks = std::ranges::any_of(world.colliders,
                                                [](const Collider& c) { return c.floor != FloorLook::Default; });
-    planePass_ = DrawPass(gpu, table,
-                          {"colliders/plane", "colliders/plane", haveLooks ? Defines{{"FLOORS", "1"}} : Defines{}},
+    const Defines floors = haveLooks ? Defines{{"FLOORS", "1"}} : Defines{};
+    planePass_ = DrawPass(gpu, table, {"colliders/plane", "colliders/plane", joined({floors, targets.layerDefines()})},
                           {"frame", "view", "colliderPlaces", "colliderPlanes"}, targets.geometry);
     // Draws the far sides of the boxes: they are visible even when the eye is inside.
-    shapePass_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider", Finishes(world).patternDefines()},
+    shapePass_ = DrawPass(gpu, table,
+                          {"colliders/collider", "colliders/collider",
+                           joined({Finishes(world).patternDefines(), targets.layerDefines()})},
                           {"frame", "view", "colliderPlaces", "colliderShapes", "finishes"}, targets.geometry,
                           GL_FRONT);
     shapeShadow_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider_shadow", {{"LIGHT_VIEW", "1"}}},
@@ -59,7 +61,7 @@ ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& worl
                             {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.shadowMap, GL_FRONT);
 }
 
-void ColliderPass::upload(const World& world, const SceneExtent& extent)
+void ColliderPass::upload(const World& world, const SceneExtent& extent, bool seesThrough)
 {
     const Finishes finishes(world);
     std::vector<gpu::vec4> planes, shapes, ofGlass;
@@ -68,7 +70,7 @@ void ColliderPass::upload(const World& world, const SceneExtent& extent)
         if (!collider.visible || collider.grid != NO_INDEX || collider.floor == FloorLook::None) continue;
         const uint32_t finish = finishes.alphaOf(collider.finish);
         if (collider.shape != ColliderShape::Plane) {
-            std::vector<gpu::vec4>& alike = collider.finish.word == Finish::Glass ? ofGlass : shapes;
+            std::vector<gpu::vec4>& alike = seesThrough && collider.finish.word == Finish::Glass ? ofGlass : shapes;
             for (const gpu::vec4& vector : instanceOf(collider, i, finish)) alike.push_back(vector);
             continue;
         }

@@ -27,7 +27,7 @@ public:
     void drawGlass(KernelTimer& timer, FluidSide side) const { drawShapes(timer, glass_.of(side), glassCount_); }
 
 private:
-    void upload(const World& world, const SceneExtent& extent);
+    void upload(const World& world, const SceneExtent& extent, bool seesThrough);
     static void drawShapes(KernelTimer& timer, const DrawPass& pass, uint32_t count);
 
     MeshPass meshes_;

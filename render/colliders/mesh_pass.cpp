@@ -3,6 +3,7 @@
 #include <array>
 
 #include "render/looks/finishes.h"
+#include "render/looks/picture_defines.h"
 
 namespace knuckle {
 
@@ -58,7 +59,9 @@ MeshPass::MeshPass(const Gpu& gpu, BufferTable& table, const World& world, const
     corners_ = {"meshCorners", std::span<const gpu::vec4>(corners)};
     colors_ = {"meshColors", std::span<const gpu::vec4>(colors)};
     table.add(Lifetime::Constant, corners_, colors_);
-    meshes_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh", finishes.patternDefines()},
+    meshes_ = DrawPass(gpu, table,
+                       {"colliders/collider_mesh", "colliders/collider_mesh",
+                        joined({finishes.patternDefines(), targets.layerDefines()})},
                        {"frame", "view", "colliderPlaces", "meshCorners", "meshColors", "finishes"}, targets.geometry);
     shadow_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh_shadow", {{"LIGHT_VIEW", "1"}}},
                        {"frame", "view", "colliderPlaces", "meshCorners", "meshColors"}, targets.shadowMap);

@@ -23,7 +23,7 @@ FluidPass::FluidPass(const Gpu& gpu, BufferTable& table, const World& world, con
     if (empty()) return;
     underwater_.emplace(gpu, table, count_, settings, targets);
     const auto front = [&](const char* vertex) {
-        return DrawPass(gpu, table, {vertex, "fluids/fluid_front", outside()},
+        return DrawPass(gpu, table, {vertex, "fluids/fluid_front", joined({outside(), targets.layerDefines()})},
                         {"frame", "view", "sphereList", "sphereScales", "sphereColors", "positions", "fluidMaterials",
                          "fluidForms", "submersion"},
                         targets.fluidFront);
@@ -44,6 +44,9 @@ FluidPass::FluidPass(const Gpu& gpu, BufferTable& table, const World& world, con
                         {"frame", "view", "fluidWidePicture"}, targets.fluidColumns);
     clean_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_clean"},
                       {"frame", "view", "fluidSmoothPicture", "fluidDepthPicture", "depthPicture"}, targets.fluidRows);
+    if (targets.hasLayers())
+        layer_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_layer"},
+                          {"frame", "view", "fluidWidePicture", "fluidThingPicture"}, targets.geometry);
     loadShading(gpu, table, settings);
     if (FoamStage::isNeeded(world)) loadFoam(gpu, table, settings);
 }
@@ -92,17 +95,34 @@ void FluidPass::drawShadow(KernelTimer& timer, const SphereLists& lists) const
     focus_.drawScreen(timer);
 }
 
-void FluidPass::drawDepth(KernelTimer& timer, const SphereLists& lists)
+void FluidPass::drawFront(KernelTimer& timer, const SphereLists& lists)
 {
     underwater_->update(timer);
     targets_.fluidFront.clear();
     lists.draw(timer, points_, SphereGroup::Fluid, POINT_DRAW);
     lists.draw(timer, quads_, SphereGroup::Fluid, QUAD_DRAW);
-    targets_.fluidInside.clear();
-    tint_.draw(timer, GL_POINTS, count_);
+}
+
+void FluidPass::smooth(KernelTimer& timer) const
+{
     rows_.drawScreen(timer);
     columns_.drawScreen(timer);
     clean_.drawScreen(timer);
+}
+
+void FluidPass::drawLayer(KernelTimer& timer, const SphereLists& lists)
+{
+    drawFront(timer, lists);
+    smooth(timer);
+    layer_.drawScreen(timer);
+}
+
+void FluidPass::drawDepth(KernelTimer& timer, const SphereLists& lists)
+{
+    drawFront(timer, lists);
+    targets_.fluidInside.clear();
+    tint_.draw(timer, GL_POINTS, count_);
+    smooth(timer);
 }
 
 void FluidPass::shade(KernelTimer& timer, uint32_t foamCount)

@@ -29,8 +29,14 @@ public:
     /// After lighting and drawDepth(): changes the lit picture.
     /// @param foamCount  Points of foam, spray and bubbles.
     void shade(KernelTimer& timer, uint32_t foamCount);
+    /// Of layers: their surface into the geometry buffers, after all else.
+    void drawLayer(KernelTimer& timer, const SphereLists& lists);
 
 private:
+    /// The depth of the nearest fluid.
+    void drawFront(KernelTimer& timer, const SphereLists& lists);
+    /// That of its surface.
+    void smooth(KernelTimer& timer) const;
     void loadShading(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings);
     void loadFoam(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings);
     void drawFoam(KernelTimer& timer, uint32_t count);
@@ -38,7 +44,8 @@ private:
     RenderTargets& targets_;
     uint32_t count_;
     std::optional<UnderwaterPass> underwater_;
-    DrawPass points_, quads_, shadow_, bends_, focus_, tint_, rows_, columns_, clean_, shade_, foam_, foamShade_;
+    DrawPass points_, quads_, shadow_, bends_, focus_, tint_, rows_, columns_, clean_, shade_, foam_, foamShade_,
+        layer_;
 };
 
 }  // namespace knuckle

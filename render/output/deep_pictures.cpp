@@ -4,8 +4,6 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
-#include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <libdeflate.h>
 
@@ -13,32 +11,13 @@
 #include <array>
 #include <vector>
 
+#include "render/output/exr_file.h"
 #include "render/reader/picture.h"
 #include "sim/base/errors.h"
 
 namespace knuckle {
 
 namespace {
-
-/// Grows in memory.
-class BytesOut : public Imf::OStream {
-public:
-    BytesOut() : Imf::OStream("picture") {}
-    void write(const char* data, int count) override
-    {
-        const auto size = static_cast<size_t>(count);
-        if (bytes.size() < at_ + size) bytes.resize(at_ + size);
-        std::copy_n(data, size, bytes.begin() + static_cast<std::ptrdiff_t>(at_));
-        at_ += size;
-    }
-    uint64_t tellp() override { return at_; }
-    void seekp(uint64_t position) override { at_ = position; }
-
-    std::string bytes;
-
-private:
-    uint64_t at_ = 0;
-};
 
 void add(std::string& bytes, uint32_t number, int size)
 {
@@ -119,15 +98,7 @@ std::string exrOf(const Image& image)
                      Imf::Slice(Imf::HALF, reinterpret_cast<char*>(pixels.data() + c), stride, stride * image.width));
     }
     for (const auto& [keyword, text] : image.text) header.insert(keyword, Imf::StringAttribute(text));
-    BytesOut out;
-    try {
-        Imf::OutputFile file(out, header, 0);
-        file.setFrameBuffer(frame);
-        file.writePixels(static_cast<int>(image.height));
-    } catch (const std::exception& error) {
-        throw RunError(std::string("a picture cannot be encoded: ") + error.what());
-    }
-    return out.bytes;
+    return exrBytes(header, frame);
 }
 
 }  // namespace knuckle

@@ -4,82 +4,15 @@
 
 #include <algorithm>
 
-#include "render/colliders/collider_pass.h"
-#include "render/fluids/fluid_looks.h"
-#include "render/fluids/fluid_pass.h"
 #include "render/frame_input.h"
 #include "render/looks/finishes.h"
 #include "render/looks/picture_defines.h"
-#include "render/looks/picture_looks.h"
 #include "render/marks/joint_marks.h"
-#include "render/marks/mark_pass.h"
-#include "render/picture/lens_passes.h"
-#include "render/picture/picture_passes.h"
-#include "render/picture/picture_reader.h"
-#include "render/quantities/quantity_pass.h"
-#include "render/ropes/rope_pass.h"
-#include "render/shapes/shape_pass.h"
-#include "render/shown_buffers.h"
-#include "render/skins/skin_pass.h"
-#include "render/spheres/sphere_pass.h"
-#include "render/surfaces/surface_pass.h"
+#include "render/panes/pane_impl.h"
 #include "render/unseen.h"
-#include "render/view/camera_obstacles.h"
-#include "render/view/framed_sets.h"
-#include "render/view/view_passes.h"
 #include "sim/base/errors.h"
 
 namespace knuckle {
-
-/// Members are in the order of their dependencies: each pass finds its inputs in the table when it is made.
-struct Pane::Impl {
-    Impl(Gpu& gpu, const World& world, const RenderSettings& chosen, KernelTimer& timerIn);
-    BufferTable& addInputs();  ///< Adds to the table, which it returns.
-    void attach(const ParticleView& drawn);
-    /// @param time of the film [s]. @param draw of a frame.
-    void aimCamera(double time, uint32_t draw);
-    /// Draws of a frame, with the same view: from `first` on, as many.
-    void expose(double time, uint32_t first, uint32_t count);
-    /// Draws what casts shadows and what is visible, with the light that reaches it.
-    void drawSurfaces(bool withSkins, bool withParticles);
-    /// Over the lit picture: what mirrors or is seen through, on one side of the surface of fluids.
-    void drawOver(FluidSide side);
-    void drawOnce();
-    /// At the depth of what the camera aims at; waits for the frame.
-    float pixelsPerMetre() const;
-
-    RenderSettings settings;
-    SceneExtent extent;
-    std::vector<Shot> shots;
-    std::vector<Camera> cameras;  ///< Of the shots.
-    FramedSets framed;            ///< Of the same.
-    gpu::FrameInput input;
-    bool beads;                      ///< Whether fluids are drawn as spheres.
-    std::optional<double> lookedAt;  ///< Time of the film at the camera's last look [s].
-    Buffer<gpu::FrameInput> inputBuffer{"frame", 1};
-    Buffer<uint32_t> unseen, framedParticles;
-    CameraObstacles obstacles;
-    ShownBuffers shown;
-    RenderTargets targets;
-    BufferTable table;
-    ViewPasses view;
-    QuantityPass quantities;
-    FluidLooks fluidLooks;
-    PictureLooks looks;
-    SphereLists lists;
-    ColliderPass colliders;
-    SkinPass skins;
-    ShapePass shapes;
-    SurfacePass surfaces;
-    RopePass ropes;
-    SpherePass spheres;
-    FluidPass fluids;
-    PicturePasses picture;
-    LensPasses lens;
-    MarkPass marks;
-    PictureReader reader;
-    KernelTimer& timer;
-};
 
 Pane::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen, KernelTimer& timerIn)
     : settings((checkSettings(chosen), checkTransparency(world, chosen), chosen)), extent(sceneExtent(world)),
@@ -88,7 +21,8 @@ Pane::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen, Ker
       beads(drawsFluids(world, settings, DrawnAs::Particles)),
       unseen("unseenParticles", std::span<const uint32_t>(unseenBits(world))),
       framedParticles("framedParticles", std::span<const uint32_t>(framed.words)), obstacles(world), shown(world),
-      targets(settings, {drawsFluids(world, settings, DrawnAs::Surface), fluidsEmit(world, settings), hasGlass(world)}),
+      targets(settings, {drawsFluids(world, settings, DrawnAs::Surface), fluidsEmit(world, settings),
+                         hasGlass(world) && !settings.layers}),
       view(gpu, addInputs(), !world.unseen.empty(), !framed.words.empty(), obstacles.solidCount() > 0),
       quantities(gpu, table, world, settings), fluidLooks(table, world, settings),
       looks(table, world, settings, extent), lists(gpu, table, world, targets.hasSurfaces()),
@@ -102,6 +36,7 @@ Pane::Impl::Impl(Gpu& gpu, const World& world, const RenderSettings& chosen, Ker
       reader(settings.width, settings.height, settings.background == Background::Transparent, settings.depth),
       timer(timerIn)
 {
+    if (settings.layers) layers.emplace(gpu, table, targets);
     input.cameraPlaneCount = obstacles.planeCount();
     input.cameraSolidCount = obstacles.solidCount();
     gpu.checkErrors();
@@ -162,7 +97,12 @@ void Pane::Impl::drawSurfaces(bool withSkins, bool withParticles)
     if (hasSolids) spheres.drawShadow(timer, lists, SphereGroup::Solid);
     if (hasFluids) spheres.drawShadow(timer, lists, SphereGroup::Fluid);
     if (withParticles && !fluids.empty()) fluids.drawShadow(timer, lists);
+    drawGeometry(withSkins, withParticles);
+    picture.drawOcclusion(timer);
+}
 
+void Pane::Impl::drawGeometry(bool withSkins, bool withParticles)
+{
     targets.geometry.clear();
     colliders.draw(timer);
     if (withSkins) skins.draw(timer);
@@ -171,10 +111,8 @@ void Pane::Impl::drawSurfaces(bool withSkins, bool withParticles)
         surfaces.draw(timer);
         ropes.draw(timer);
     }
-    if (hasSolids) spheres.draw(timer, lists, SphereGroup::Solid);
-    if (hasFluids) spheres.draw(timer, lists, SphereGroup::Fluid);
-
-    picture.drawOcclusion(timer);
+    if (withParticles && input.solidCount > 0) spheres.draw(timer, lists, SphereGroup::Solid);
+    if (withParticles && beads) spheres.draw(timer, lists, SphereGroup::Fluid);
 }
 
 void Pane::Impl::drawOver(FluidSide side)

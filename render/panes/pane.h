@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "render/layers/layers.h"
 #include "render/picture/image.h"
 #include "render/settings.h"
 #include "sim/gpu/buffer_table.h"
@@ -38,6 +39,10 @@ public:
     Image readImage();
     /// At the depth of what the camera aims at; waits for the frame.
     float pixelsPerMetre() const;
+    /// Of a pane whose settings are layerSettings(): layers instead of pictures. Stalls until the GPU is done.
+    Layers drawLayers(const ParticleView& view, double time);
+    /// Shows a state to the camera and to the layers of the next frame.
+    LayerCamera lookForLayers(const ParticleView& view, double time);
     RendererState saveState() const;
     void loadState(const RendererState& state);
 

@@ -22,7 +22,15 @@ RenderTargets::RenderTargets(const RenderSettings& settings, const TargetNeeds& 
     shade = Texture("shadePicture", GL_R32UI, halfW, halfH);
     lit = Texture("litPicture", color, w, h, GL_LINEAR);
     smoothed = Texture("smoothedPicture", color, w, h, isDraft ? GL_LINEAR : GL_NEAREST);
-    geometry = Framebuffer("geometry", {&surface}, &depth);
+    if (settings.layers) {
+        things = Texture("thingPicture", GL_RG32UI, w, h);
+        earlier = Texture("earlierPicture", GL_RGBA32F, w, h);
+        layerPlaces = Texture("layerPlacePicture", GL_RGBA32F, w, h);
+        layerAlbedo = Texture("layerAlbedoPicture", GL_RGBA32F, w, h);
+        layers = Framebuffer("layers", {&layerPlaces, &layerAlbedo}, nullptr);
+    }
+    geometry = hasLayers() ? Framebuffer("geometry", {&surface, &things, &earlier}, &depth)
+                           : Framebuffer("geometry", {&surface}, &depth);
     shadowMap = Framebuffer("shadow map", {}, &shadow);
     occlusion = Framebuffer("occlusion", {&shade}, nullptr);
     if (isTransparent) {
@@ -53,7 +61,9 @@ RenderTargets::RenderTargets(const RenderSettings& settings, const TargetNeeds& 
     fluidShadow = Texture("fluidShadowPicture", GL_DEPTH_COMPONENT32F, FLUID_SHADOW_SIZE, FLUID_SHADOW_SIZE);
     fluidBend = Texture("fluidBendPicture", GL_RGBA32F, FLUID_SHADOW_SIZE, FLUID_SHADOW_SIZE);
     fluidFocus = Texture("fluidFocusPicture", GL_RG16F, FLUID_SHADOW_SIZE, FLUID_SHADOW_SIZE, GL_LINEAR);
-    fluidFront = Framebuffer("fluid front", {}, &fluidDepth);
+    if (settings.layers) fluidThings = Texture("fluidThingPicture", GL_RG32UI, w, h);
+    fluidFront = settings.layers ? Framebuffer("fluid front", {&fluidThings}, &fluidDepth)
+                                 : Framebuffer("fluid front", {}, &fluidDepth);
     fluidRows = Framebuffer("fluid rows", {&fluidWide}, nullptr);
     fluidColumns = Framebuffer("fluid columns", {&fluidSmooth}, nullptr);
     if (needs.emission) fluidEmission = Texture("fluidEmissionPicture", GL_RGBA16F, halfW, halfH, GL_LINEAR);
@@ -65,6 +75,12 @@ RenderTargets::RenderTargets(const RenderSettings& settings, const TargetNeeds& 
     foamCover = Framebuffer("foam", {&foam}, nullptr);
 }
 
+Defines RenderTargets::layerDefines(bool moves) const
+{
+    if (!hasLayers()) return {};
+    return moves ? Defines{{"LAYERS", "1"}, {"MOVES", "1"}} : Defines{{"LAYERS", "1"}};
+}
+
 void RenderTargets::addTo(BufferTable& table) const
 {
     table.add(surface, depth, shadow, shade, lit, smoothed);
@@ -74,6 +90,7 @@ void RenderTargets::addTo(BufferTable& table) const
         table.add(fluidDepth, fluidWide, fluidSmooth, fluidTint, fluidGlow, fluidShadow, fluidBend, fluidFocus, foam);
     if (hasEmission()) table.add(fluidEmission);
     if (hasGlass()) table.add(glassDepth);
+    if (fluidThings.id() != 0) table.add(fluidThings);
 }
 
 }  // namespace knuckle

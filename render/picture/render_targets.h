@@ -4,6 +4,7 @@
 
 #include "render/settings.h"
 #include "sim/gpu/buffer_table.h"
+#include "sim/gpu/shader_source.h"
 #include "sim/gpu/texture.h"
 
 namespace knuckle {
@@ -25,6 +26,10 @@ struct RenderTargets {
     bool hasGlass() const { return glassDepth.id() != 0; }
     bool hasEmission() const { return fluidEmission.id() != 0; }
     bool isTransparent() const { return cover.id() != 0; }
+    bool hasLayers() const { return things.id() != 0; }
+    /// What passes into the geometry buffers are compiled with. @param moves whether their vertices know where they
+    /// were in the frame before.
+    Defines layerDefines(bool moves = false) const;
 
     Texture surface, depth;          ///< Normals and colours, and depth, of the visible surfaces.
     Texture shadow;                  ///< Depth as seen by the key light.
@@ -40,6 +45,10 @@ struct RenderTargets {
     Texture fluidBend, fluidFocus;   ///< How its surface gathers that light, along rows, and in all: fluid_focus.frag.
     Texture foam;                    ///< Light times coverage, coverage (foam.frag).
     Framebuffer fluidFront, fluidRows, fluidColumns, fluidInside, fluidShadowMap, fluidBends, fluidLens, foamCover, wet;
+    Texture things, earlier;           ///< Of layers: what each pixel shows, and where that was (thing.glsl).
+    Texture fluidThings;               ///< Of layers: colour word and particle of the nearest fluid.
+    Texture layerPlaces, layerAlbedo;  ///< See layers.frag.
+    Framebuffer layers;
     Texture glassDepth;  ///< Of the nearest glass, while that is drawn over the picture.
     Framebuffer geometry, shadowMap, glass, occlusion, lighting, edges, resolve;
 };

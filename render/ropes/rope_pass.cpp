@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/color_word.h"
+#include "render/looks/picture_defines.h"
 #include "render/quantities/color_scale.h"
 #include "render/render_groups.h"
 #include "render/spheres/palette.h"
@@ -58,8 +59,13 @@ RopePass::RopePass(const Gpu& gpu, BufferTable& table, const World& world, const
     place_ = Kernel(gpu, table, "render/ropes/tube_frames.comp", defines);
     Defines looks;
     if (settings.colorBy == ColorBy::Speed) looks = colorDefines(world, settings);
-    const std::vector<std::string> reads = {"frame", "view", "tubeFrames", "tubeLooks", "tubeNodes", "velocities"};
-    tubes_ = DrawPass(gpu, table, {"ropes/tube", "ropes/tube", looks}, reads, targets.geometry, GL_BACK);
+    std::vector<std::string> reads = {"frame", "view", "tubeFrames", "tubeLooks", "tubeNodes", "velocities"};
+    if (targets.hasLayers()) {
+        earlier_.add(table, frames_);
+        reads.push_back("earlierTubeFrames");
+    }
+    tubes_ = DrawPass(gpu, table, {"ropes/tube", "ropes/tube", joined({looks, targets.layerDefines(true)})}, reads,
+                      targets.geometry, GL_BACK);
     looks.push_back({"LIGHT_VIEW", "1"});
     // Only what is turned away from the light casts shadows, so that lit faces do not shade themselves.
     shadow_ = DrawPass(gpu, table, {"ropes/tube", "ropes/tube_shadow", looks}, reads, targets.shadowMap, GL_FRONT);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/draw_pass.h"
+#include "render/layers/earlier_buffers.h"
 #include "render/picture/render_targets.h"
 #include "render/settings.h"
 #include "shared/draw_types.h"
@@ -25,6 +26,8 @@ public:
     void drawShadow(KernelTimer& timer) const;
     /// Into the geometry buffers.
     void draw(KernelTimer& timer) const;
+    /// Remembers where ropes are, for the layers of the next frame.
+    void endFrame() { earlier_.take(); }
 
 private:
     /// @returns whether any of them may tear.
@@ -34,6 +37,7 @@ private:
     Buffer<gpu::uvec2> nodes_;
     Buffer<uint32_t> indices_;
     Buffer<gpu::DrawElementsArguments> draws_;
+    EarlierBuffers earlier_;
     Kernel place_;
     DrawPass tubes_, shadow_;
 };

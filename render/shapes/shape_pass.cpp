@@ -63,7 +63,7 @@ ShapeTexels texelsOf(const World& world, const RenderSettings& settings)
         const auto [first, second] = middleParticles(world, shape);
         const uint32_t color = bodyColor(world, shape.body, settings) & COLOR_BITS;
         const SurfaceFinish& finish = world.materials[world.bodies[shape.body].material].finish;
-        std::vector<gpu::vec4>& texels = finish.word == Finish::Glass ? all.ofGlass : all.opaque;
+        std::vector<gpu::vec4>& texels = finish.word == Finish::Glass && !settings.layers ? all.ofGlass : all.opaque;
         texels.push_back({half.x(), half.y(), half.z(), shape.radius});
         texels.push_back({arm.x(), arm.y(), arm.z(), static_cast<float>(shape.body)});
         texels.push_back({static_cast<float>(color), static_cast<float>(first), static_cast<float>(second),
@@ -90,9 +90,10 @@ ShapePass::ShapePass(const Gpu& gpu, BufferTable& table, const World& world, con
                                             "bodyCentres", "bodyRotations", "finishes"};
     const Defines lightView = joined({defines, {{"LIGHT_VIEW", "1"}}});
     // Draws the far sides of the boxes: they are visible even when the eye is inside.
-    shapes_ = DrawPass(gpu, table,
-                       {"shapes/shape", "shapes/shape", joined({Finishes(world).patternDefines(), defines})}, reads,
-                       targets.geometry, GL_FRONT);
+    shapes_ = DrawPass(
+        gpu, table,
+        {"shapes/shape", "shapes/shape", joined({Finishes(world).patternDefines(), defines, targets.layerDefines()})},
+        reads, targets.geometry, GL_FRONT);
     shadow_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape_shadow", lightView}, reads, targets.shadowMap,
                        GL_FRONT);
     if (!hasGlass()) return;

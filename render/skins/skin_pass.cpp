@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/looks/finishes.h"
+#include "render/looks/picture_defines.h"
 #include "render/render_groups.h"
 #include "shared/frame_types.h"
 
@@ -44,15 +45,20 @@ SkinPass::SkinPass(const Gpu& gpu, BufferTable& table, const World& world, const
     buffers_.addTo(table);
     lod_ = Kernel(gpu, table, "render/skins/skin_lod.comp");
     pose_ = Kernel(gpu, table, "render/skins/skin_pose.comp");
-    const std::vector<std::string> reads = {"frame",           "view",          "skinPlaces", "skinGroups",
-                                            "skinVertexLooks", "skinMaterials", "skinLevels", "skinTexels"};
+    std::vector<std::string> reads = {"frame",           "view",          "skinPlaces", "skinGroups",
+                                      "skinVertexLooks", "skinMaterials", "skinLevels", "skinTexels"};
+    if (targets.hasLayers()) {
+        earlier_.add(table, buffers_.places);
+        reads.insert(reads.end(), {"earlierSkinPlaces", "skinWearers", "skinVertices"});
+    }
     Defines looks = Finishes(world).lightingDefines();
     if (std::ranges::any_of(world.skins, needsMaterials)) looks.push_back({"MATERIALS", "1"});
     if (std::ranges::any_of(world.skins, hasNormals)) looks.push_back({"NORMALS", "1"});
     if (const uint32_t alpha = Finishes(world).mappedAlpha(); alpha != 0)
         looks.push_back({"ROUGHNESSES", std::to_string(alpha) + "u"});
     if (std::ranges::any_of(world.skins, isTwoSided)) looks.push_back({"TWO_SIDED", "1"});
-    skins_ = DrawPass(gpu, table, {"skins/skin", "skins/skin", looks}, reads, targets.geometry);
+    skins_ = DrawPass(gpu, table, {"skins/skin", "skins/skin", joined({looks, targets.layerDefines(true)})}, reads,
+                      targets.geometry);
     Defines lightView{{"LIGHT_VIEW", "1"}};
     if (std::ranges::any_of(world.skins, hasCutOuts)) lightView.push_back({"CUT_OUT", "1"});
     shadow_ = DrawPass(gpu, table, {"skins/skin", "skins/skin_shadow", lightView}, reads, targets.shadowMap);

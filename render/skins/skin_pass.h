@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/draw_pass.h"
+#include "render/layers/earlier_buffers.h"
 #include "render/picture/render_targets.h"
 #include "render/skins/skin_buffers.h"
 #include "sim/gpu/kernel.h"
@@ -23,12 +24,15 @@ public:
     void drawShadow(KernelTimer& timer) const;
     /// Into the geometry buffers.
     void draw(KernelTimer& timer) const;
+    /// Remembers where vertices are, for the layers of the next frame.
+    void endFrame() { earlier_.take(); }
 
 private:
     /// @param first of the draws of wearers. @param culled faces of one-sided skins.
     void draw(KernelTimer& timer, const DrawPass& pass, uint32_t first, GLenum culled) const;
 
     SkinBuffers buffers_;
+    EarlierBuffers earlier_;
     Kernel lod_, pose_;
     DrawPass skins_, shadow_;
 };

@@ -5,6 +5,7 @@
 
 #include "render/fluids/fluid_looks.h"
 #include "render/looks/finishes.h"
+#include "render/looks/picture_defines.h"
 #include "render/quantities/color_scale.h"
 #include "render/spheres/palette.h"
 
@@ -76,13 +77,15 @@ SpherePass::SpherePass(const Gpu& gpu, BufferTable& table, const World& world, c
         Defines defines = colorDefines(world, settings);
         defines.insert(defines.end(), patterns.begin(), patterns.end());
         defines.insert(defines.end(), more.begin(), more.end());
+        const Defines seen = joined({defines, targets.layerDefines()});
         const auto pass = [&](const char* vertex, const char* fragment, const Framebuffer& target) {
-            return apart ? DrawPass(gpu, table, {vertex, fragment, defines},
+            const Defines& own = &target == &targets.geometry ? seen : defines;
+            return apart ? DrawPass(gpu, table, {vertex, fragment, own},
                                     {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
                                      "sphereColors", "spherePlaces", "grainParticles", "finishes", "bodyRotations",
                                      "shownQuantities", "fluidMaterials"},
                                     target)
-                         : DrawPass(gpu, table, {vertex, fragment, defines},
+                         : DrawPass(gpu, table, {vertex, fragment, own},
                                     {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
                                      "sphereColors", "spherePlaces", "grainParticles", "finishes", "bodyRotations",
                                      "shownQuantities"},

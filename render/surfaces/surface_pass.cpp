@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "render/looks/picture_defines.h"
 #include "render/quantities/color_scale.h"
 #include "render/render_groups.h"
 #include "render/spheres/palette.h"
@@ -41,11 +42,17 @@ SurfacePass::SurfacePass(const Gpu& gpu, BufferTable& table, const World& world,
     if (softVertexCount_ > 0) softPlacesKernel_ = load("soft_places");
     normalsKernel_ = load("surface_normals");
     Defines defines = colorDefines(world, settings);
-    const std::vector<std::string> reads = {"frame",          "view",       "surfacePlaces",    "surfaceNormals",
-                                            "surfaceLooks",   "velocities", "surfaceParticles", "hemEdges",
-                                            "shownQuantities"};
-    surfaces_ = DrawPass(gpu, table, {"surfaces/surface", "surfaces/surface", defines}, reads, targets.geometry);
-    hems_ = DrawPass(gpu, table, {"surfaces/hem", "surfaces/surface", defines}, reads, targets.geometry);
+    std::vector<std::string> reads = {"frame",          "view",       "surfacePlaces",    "surfaceNormals",
+                                      "surfaceLooks",   "velocities", "surfaceParticles", "hemEdges",
+                                      "shownQuantities"};
+    if (targets.hasLayers()) {
+        earlier_.add(table, places_);
+        earlier_.add(table, normals_);
+        reads.insert(reads.end(), {"earlierSurfacePlaces", "earlierSurfaceNormals"});
+    }
+    const Defines seen = joined({defines, targets.layerDefines(true)});
+    surfaces_ = DrawPass(gpu, table, {"surfaces/surface", "surfaces/surface", seen}, reads, targets.geometry);
+    hems_ = DrawPass(gpu, table, {"surfaces/hem", "surfaces/surface", seen}, reads, targets.geometry);
     defines.push_back({"LIGHT_VIEW", "1"});
     shadow_ = DrawPass(gpu, table, {"surfaces/surface", "surfaces/surface_shadow", defines}, reads, targets.shadowMap);
 }

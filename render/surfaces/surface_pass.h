@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/draw_pass.h"
+#include "render/layers/earlier_buffers.h"
 #include "render/picture/render_targets.h"
 #include "render/settings.h"
 #include "render/surfaces/surface_arrays.h"
@@ -25,6 +26,8 @@ public:
     void drawShadow(KernelTimer& timer) const;
     /// Into the geometry buffers.
     void draw(KernelTimer& timer) const;
+    /// Remembers where vertices are, for the layers of the next frame.
+    void endFrame() { earlier_.take(); }
 
 private:
     void upload(BufferTable& table, const SurfaceArrays& arrays);
@@ -37,6 +40,7 @@ private:
     Buffer<gpu::uvec4> clothVertices_, clothCells_, clothTriangles_, hemEdges_;
     Buffer<gpu::uvec2> softVertices_, softLinks_;
     Buffer<gpu::DrawElementsArguments> draws_;
+    EarlierBuffers earlier_;
     Kernel clothCellsKernel_, clothTrianglesKernel_, clothPlacesKernel_, softPlacesKernel_, normalsKernel_;
     DrawPass surfaces_, hems_, shadow_;
 };

@@ -189,6 +189,15 @@ Measures Solver::measure()
     return measures;
 }
 
+std::vector<float> Solver::fluidDensities()
+{
+    std::vector<float> densities(impl_->world.fluidCount, 1.0f);
+    if (!impl_->stages.fluids) return densities;
+    for (const auto& [particle, density] : impl_->stages.fluids->densities())
+        densities[particle - impl_->world.solidCount()] = density;
+    return densities;
+}
+
 uint64_t Solver::stateHash()
 {
     return impl_->stages.stateHash.hash(impl_->timer);

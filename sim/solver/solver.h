@@ -61,6 +61,9 @@ public:
     /// The world's colliders at their current places.
     std::vector<Collider> readColliders();
     Measures measure();
+    /// Of each fluid particle, in order: its density in the last step over that at rest; 1 before the first, and of
+    /// one that is inactive or has only just come.
+    std::vector<float> fluidDensities();
     /// Of the bits of all positions and velocities, see shaders/shared/state_hash.h; reads 8 bytes.
     uint64_t stateHash();
     SolverState saveState() const;

@@ -22,6 +22,10 @@ protected:
                 "--export",
                 "ply=out/ply",
                 "--export",
+                "vtk=out/vtk",
+                "--export",
+                "layers=out/layers",
+                "--export",
                 "bodies=out/b.csv",
                 "--export",
                 "measures=out/m.csv",
@@ -63,7 +67,7 @@ protected:
         for (const std::string& word : outputs()) words.push_back(word);
         EXPECT_EQ(run(words).code, 0);
         std::map<std::string, std::string> files = left();
-        EXPECT_EQ(files.size(), 30u + 30u + 5u);
+        EXPECT_EQ(files.size(), 30u + 30u + 31u + 32u + 5u);
         fs::remove_all(folder.path("out"));
         return files;
     }

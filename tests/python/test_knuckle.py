@@ -97,6 +97,30 @@ class Pictures(unittest.TestCase):
         np.testing.assert_allclose([rows.mean(), columns.mean()], [44.5, 79.5], atol=1.0)
         self.assertGreater(red.sum(), 12)
 
+    def test_layers_say_what_pixels_show(self):
+        scene = dict(BALL, materials={"default": {"draw": "shape"}}, colliders=[{"type": "plane"}])
+        camera = {"position": [0, 5, 4], "target": [0, 5, 0], "fieldOfView": 40}
+        layers = simulation(scene).layers(size=(160, 90), camera=camera)
+        for name, kind, shape in (("depth", np.float32, (90, 160)), ("normals", np.float32, (90, 160, 3)),
+                                  ("albedo", np.float32, (90, 160, 3)), ("object", np.uint32, (90, 160)),
+                                  ("body", np.uint32, (90, 160)), ("collider", np.uint32, (90, 160))):
+            self.assertEqual((layers[name].dtype, layers[name].shape), (kind, shape), name)
+        ball = layers["body"] == 1
+        self.assertEqual(layers["objects"], ["ball"])
+        np.testing.assert_array_equal(ball, layers["object"] == 1)
+        rows, columns = np.nonzero(ball)
+        np.testing.assert_allclose([rows.mean(), columns.mean()], [44.5, 79.5], atol=0.5)
+        # Its nearest point is a radius, 0.1 m, before its middle; pixels are 0.03 m apart there.
+        self.assertAlmostEqual(layers["depth"][ball].min(), 3.9, delta=0.005)
+        self.assertGreater(layers["normals"][ball][:, 2].max(), 0.95)
+        np.testing.assert_allclose(np.linalg.norm(layers["normals"][ball], axis=-1), 1, atol=1e-6)
+        ground = layers["collider"] == 1
+        self.assertTrue(ground.any() and (ground & ball).sum() == 0)
+        np.testing.assert_allclose(layers["normals"][ground], np.broadcast_to([0, 1, 0], (ground.sum(), 3)), atol=1e-4)
+        self.assertTrue(np.isinf(layers["depth"][~ground & ~ball]).all())
+        np.testing.assert_allclose(layers["camera"]["camera_to_world"][:3, 3], [0, 5, 4], atol=1e-6)
+        self.assertAlmostEqual(layers["camera"]["fy"], 45 / np.tan(np.radians(20)), places=3)
+
     def test_pictures_are_compared(self):
         black = np.zeros((20, 30, 3), np.uint8)
         dotted = black.copy()

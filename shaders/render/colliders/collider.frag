@@ -1,6 +1,7 @@
 // The pixel's ray against one obstacle: depth, normal and colour.
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
+#include "render/common/thing.glsl"
 #include "render/colliders/ray_shapes.glsl"
 #ifdef PATTERNS
 #include "render/common/finish_pattern.glsl"
@@ -32,4 +33,5 @@ void main()
 #endif
     surface = uvec2(packNormal(inView), word);
     gl_FragDepth = depth / frame.farDepth;
+    SHOW_THING(THING_COLLIDER);
 }

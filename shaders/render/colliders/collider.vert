@@ -1,6 +1,7 @@
 // The box around an obstacle, whose faces away from the eye start the rays of collider.frag.
 #include "render/common/box_corner.glsl"
 #include "render/common/frame_blocks.glsl"
+#include "render/common/thing_out.glsl"
 #include "render/colliders/collider_place.glsl"
 #include "render/colliders/ray_shapes.glsl"
 
@@ -31,6 +32,7 @@ void main()
 #ifdef PATTERNS
     patternSeed = uint(collider.x);
 #endif
+    NAME_THING(collider.x);
     shapePosition = vec4(place.position, shapeHalfExtents.w);
     shapeOrientation = place.orientation;
     vec3 world = shapePosition.xyz + rotate(shapeOrientation, boxCorner(gl_VertexID) * shapeHalfExtents.xyz);

@@ -1,6 +1,7 @@
 // Depth, normal and colour of a mesh, which is visible from both sides.
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
+#include "render/common/thing.glsl"
 #ifdef PATTERNS
 #include "render/common/finish_pattern.glsl"
 
@@ -22,4 +23,5 @@ void main()
 #endif
     surface = uvec2(packNormal(dot(normal, viewPlace) > 0.0 ? -normal : normal), word);
     gl_FragDepth = -viewPlace.z / frame.farDepth;
+    SHOW_THING(THING_COLLIDER);
 }

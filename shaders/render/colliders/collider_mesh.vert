@@ -1,5 +1,6 @@
 // A corner of a mesh or a heightfield that is a collider.
 #include "render/common/frame_blocks.glsl"
+#include "render/common/thing_out.glsl"
 #include "render/colliders/collider_place.glsl"
 
 uniform samplerBuffer meshCorners;          // two a corner, of the collider at rest: place, w: mesh; normal, w: finish
@@ -17,6 +18,7 @@ void main()
 {
     vec4 corner = texelFetch(meshCorners, 2 * gl_VertexID), mesh = texelFetch(meshColors, int(corner.w));
     ColliderPlace at = fetchColliderPlace(mesh.w);
+    NAME_THING(mesh.w);
     vec3 place = at.position + rotate(at.orientation, corner.xyz);
     viewPlace = toView(place);
     vec4 normal = texelFetch(meshCorners, 2 * gl_VertexID + 1);

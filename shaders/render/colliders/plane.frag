@@ -1,6 +1,7 @@
 // One infinite plane over the whole picture: the ground with its pattern, or a tilted one in its own colour.
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
+#include "render/common/thing.glsl"
 #include "render/colliders/line_cover.glsl"
 #ifdef FLOORS
 #include "math/quaternion.glsl"
@@ -44,4 +45,5 @@ void main()
 #endif
     surface = uvec2(normalWord, packAlbedo(color, 0.0) | (planeColor.w > 0.5 ? 0u : planeLook.y << 24));
     gl_FragDepth = depth / frame.farDepth;
+    SHOW_THING(THING_COLLIDER);
 }

@@ -1,5 +1,6 @@
 // One triangle over the whole picture, with the values that all pixels of a plane share.
 #include "render/common/frame_blocks.glsl"
+#include "render/common/thing_out.glsl"
 #include "render/colliders/collider_place.glsl"
 #include "render/common/screen.glsl"
 #include "render/common/surface.glsl"
@@ -19,6 +20,7 @@ void main()
 {
     vec4 plane = texelFetch(colliderPlanes, 2 * gl_InstanceID + 1);
     ColliderPlace place = fetchColliderPlace(plane.x);
+    NAME_THING(plane.x);
     planeLook = uvec2(plane.yz);
 #ifdef FLOORS
     planeOrigin = place.position;

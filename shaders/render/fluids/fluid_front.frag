@@ -1,5 +1,9 @@
 // The depth of the nearest fluid, whose particles are spheroids.
 #include "render/common/frame_blocks.glsl"
+#ifdef LAYERS
+flat in uint thingIndex;
+layout(location = 0) out uvec2 frontThing;   // colour word, particle
+#endif
 
 flat in vec4 sphere;
 flat in float radius;
@@ -21,5 +25,8 @@ void main()
     vec3 miss = centre - along * ray;
     float h = radius * radius - dot(miss, miss);
     if (h < 0.0) discard;
+#ifdef LAYERS
+    frontThing = uvec2(floatBitsToUint(sphere.w), thingIndex);
+#endif
     gl_FragDepth = (along - sqrt(h * inverse)) / frame.farDepth;
 }

@@ -27,9 +27,7 @@ void main()
     if (depth >= texelFetch(depthPicture, pixel, 0).r * frame.farDepth || depth >= frame.farDepth) discard;
     vec3 p = viewRay(gl_FragCoord.xy) * depth, toEye = -normalize(p);
     float crease = 0.0, turned = 0.0;
-    vec3 n = normalize(cross(slopeAlong(pixel, ivec2(1, 0), p, crease, turned),
-                             slopeAlong(pixel, ivec2(0, 1), p, crease, turned)));
-    n = normalize(n + max(0.05 - dot(n, toEye), 0.0) * toEye);
+    vec3 n = surfaceNormal(pixel, p, crease, turned);
     vec2 at = gl_FragCoord.xy / vec2(frame.width, frame.height);
     vec4 tint = textureLod(fluidTintPicture, at, 0.0), glow = textureLod(fluidGlowPicture, at, 0.0);
     vec2 place = seenThrough(p, refract(-toEye, n, REFRACTION), pixel, 1.3 * glow.a + frame.fluidRadius);

@@ -23,3 +23,12 @@ vec3 slopeAlong(ivec2 pixel, ivec2 way, vec3 here, inout float crease, inout flo
     if (max(sizes.x, sizes.y) < 1.5 * frame.fluidRadius) return 0.5 * (ahead + behind);
     return sizes.x < sizes.y ? ahead : behind;
 }
+
+/// Towards the eye, even at edges. @param p  The place. @param crease, turned  As of slopeAlong().
+vec3 surfaceNormal(ivec2 pixel, vec3 p, inout float crease, inout float turned)
+{
+    vec3 toEye = -normalize(p);
+    vec3 n = normalize(cross(slopeAlong(pixel, ivec2(1, 0), p, crease, turned),
+                             slopeAlong(pixel, ivec2(0, 1), p, crease, turned)));
+    return normalize(n + max(0.05 - dot(n, toEye), 0.0) * toEye);
+}

@@ -2,6 +2,7 @@
 #include "render/common/bump.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
+#include "render/common/thing.glsl"
 
 in vec3 viewNormal;
 in vec3 viewPlace;
@@ -25,4 +26,5 @@ void main()
     vec3 roots = colorRoots * (1.0 - GROOVE_SHADE * mix(0.227, groove, seen));
     surface = uvec2(packNormal(normal), packRoots(roots, 1.0));
     gl_FragDepth = 1.0 / (gl_FragCoord.w * frame.farDepth);
+    SHOW_THING(THING_PARTICLE);
 }

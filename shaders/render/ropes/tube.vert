@@ -2,12 +2,15 @@
 #include "render/common/frame_blocks.glsl"
 #include "render/common/scale_color.glsl"
 #include "render/common/surface.glsl"
+#include "render/common/thing_out.glsl"
 #include "shared/matter_types.h"
 
 uniform samplerBuffer tubeFrames;           // as in tube_frames.comp
 uniform samplerBuffer tubeLooks;            // per node: length of the rope before it and of its link [m], colour
-#ifdef COLOR_BY_SPEED
+#if defined(COLOR_BY_SPEED) || defined(LAYERS)
 uniform usamplerBuffer tubeNodes;
+#endif
+#ifdef COLOR_BY_SPEED
 uniform samplerBuffer velocities;
 #endif
 
@@ -32,6 +35,22 @@ vec3 rootsOf(int node, float stored)
 #endif
 }
 
+/// Between two nodes, from their places and tangents.
+vec3 onCubic(vec3 a, vec3 outA, vec3 b, vec3 outB, float s, float t)
+{
+    return s * s * (1.0 + 2.0 * t) * a + t * t * (1.0 + 2.0 * s) * b + s * t * (s * outA - t * outB);
+}
+
+#ifdef LAYERS
+uniform samplerBuffer earlierTubeFrames;
+
+vec3 earlierMiddle(int node, int next, float s, float t)
+{
+    return onCubic(texelFetch(earlierTubeFrames, 3 * node).xyz, texelFetch(earlierTubeFrames, 3 * node + 1).xyz,
+                   texelFetch(earlierTubeFrames, 3 * next).xyz, texelFetch(earlierTubeFrames, 3 * next + 1).xyz, s, t);
+}
+#endif
+
 void main()
 {
     int node = gl_InstanceID, ring = gl_VertexID / (TUBE_SIDES + 1) - TUBE_CAP_RINGS;
@@ -45,8 +64,7 @@ void main()
     }
     int last = TUBE_RINGS - 1;
     float t = float(clamp(ring, 0, last)) / float(last), s = 1.0 - t;
-    vec3 place = s * s * (1.0 + 2.0 * t) * a.xyz + t * t * (1.0 + 2.0 * s) * b.xyz +
-                 s * t * (s * outA.xyz - t * outB.xyz);
+    vec3 place = onCubic(a.xyz, outA.xyz, b.xyz, outB.xyz, s, t), middle = place;
     vec3 along = normalize(6.0 * s * t * (b.xyz - a.xyz) + s * (s - 2.0 * t) * outA.xyz + t * (t - 2.0 * s) * outB.xyz);
     vec3 side = mix(sideA, sideB, t);
     side = normalize(side - dot(side, along) * along);
@@ -63,6 +81,11 @@ void main()
     colorRoots = rootsOf(node, looks.z);
     viewPlace = toView(place);
     viewNormal = directionToView(normal);
+#ifdef LAYERS
+    // What is around the middle goes along with it.
+    earlierPlace = place - middle + earlierMiddle(node, whole ? node + 1 : node, s, t);
+    NAME_THING(texelFetch(tubeNodes, node).x);
+#endif
 #ifdef LIGHT_VIEW
     gl_Position = vec4(worldToLight(place), 1.0);
 #else

@@ -1,6 +1,7 @@
 // The pixel's ray against a body's shape: depth, normal and colour.
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
+#include "render/common/thing.glsl"
 #include "render/shapes/ray_rounded.glsl"
 #ifdef PATTERNS
 #include "render/common/finish_pattern.glsl"
@@ -28,4 +29,5 @@ void main()
 #endif
     surface = uvec2(packNormal(normal * toShape), word);
     gl_FragDepth = depth / frame.farDepth;
+    SHOW_THING(THING_BODY);
 }

@@ -2,6 +2,7 @@
 #include "math/quaternion.glsl"
 #include "render/common/box_corner.glsl"
 #include "render/common/frame_blocks.glsl"
+#include "render/common/thing_out.glsl"
 #include "render/shapes/shape_color.glsl"
 
 #ifndef FIRST_SHAPE
@@ -46,6 +47,7 @@ void main()
     patternSeed = uint(place.w);
 #endif
     toShape = transpose(axes) * mat3(view.cameraRight.xyz, view.cameraUp.xyz, view.cameraBack.xyz);
+    NAME_THING(place.w);
     gl_Position = projectView(toView(world));
     // The depth of the nearest point that it may have: what is hidden can be skipped before the ray.
     float nearest = max(-toView(middle).z - length(rounded.xyz) - rounded.w, 0.0);

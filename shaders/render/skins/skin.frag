@@ -1,6 +1,7 @@
 // Depth, normal and colour of a skin.
 #include "render/common/frame_blocks.glsl"
 #include "render/skins/skin_maps.glsl"
+#include "render/common/thing.glsl"
 
 in vec3 viewNormal;
 in vec2 uv;
@@ -38,4 +39,5 @@ void main()
 #endif
     surface = uvec2(packNormal(normal), word);
     gl_FragDepth = 1.0 / (gl_FragCoord.w * frame.farDepth);
+    SHOW_THING(THING_BODY);
 }

@@ -1,5 +1,6 @@
 // The sphere's nearest point on the pixel's ray: its depth, normal and colour.
 #include "render/common/surface.glsl"
+#include "render/common/thing.glsl"
 #include "render/spheres/sphere_hit.glsl"
 #include "math/quaternion.glsl"
 #ifdef PATTERNS
@@ -37,4 +38,5 @@ void main()
 #endif
     surface = uvec2(packNormal(hit.normal), word);
     gl_FragDepth = hit.depth / frame.farDepth;
+    SHOW_THING(THING_PARTICLE);
 }

@@ -1,6 +1,7 @@
 // One point per listed particle, as large as the sphere's image, which is an ellipse.
 #include "render/common/fluid_kind.glsl"
 #include "render/common/drawn_radius.glsl"
+#include "render/common/thing_out.glsl"
 #include "render/spheres/fluid_form.glsl"
 #include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
@@ -33,6 +34,7 @@ void main()
     sphere = vec4(centre, uintBitsToFloat(color));
     gl_PointSize = max(size.x, size.y) + 1.0;
     gl_Position = vec4(0.5 * (bounds.xy + bounds.zw), 2.0 * (-centre.z - bound) / frame.farDepth - 1.0, 1.0);
+    NAME_THING(particle);
 #ifdef PATTERNS
     placeSphere(particle);
 #endif

@@ -1,6 +1,7 @@
 // Two triangles around the image of each listed sphere that is too large for the driver's points.
 #include "render/common/fluid_kind.glsl"
 #include "render/common/drawn_radius.glsl"
+#include "render/common/thing_out.glsl"
 #include "render/spheres/fluid_form.glsl"
 #include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
@@ -36,6 +37,7 @@ void main()
     vec2 corner = vec2(place & 1, place >> 1);
     gl_Position = vec4(clamp(mix(bounds.xy, bounds.zw, corner), -1.0, 1.0),
                        2.0 * nearest / frame.farDepth - 1.0, 1.0);
+    NAME_THING(particle);
 #ifdef PATTERNS
     placeSphere(int(particle));
 #endif

@@ -1,4 +1,5 @@
 // Half a tube along an edge of a sheet, from its one layer to its other.
+#include "render/common/thing_out.glsl"
 #include "render/surfaces/surface_color.glsl"
 #include "shared/matter_types.h"
 
@@ -16,6 +17,9 @@ vec3 placeOf(uint vertex)
 {
     return texelFetch(surfacePlaces, int(vertex)).xyz;
 }
+#ifdef LAYERS
+uniform samplerBuffer earlierSurfacePlaces;
+#endif
 
 void main()
 {
@@ -32,5 +36,10 @@ void main()
     viewNormal = directionToView(away);
     colorRoots = surfaceRoots(vertex, texelFetch(surfaceLooks, vertex).w);
     weave = vec3(0.0);
+#ifdef LAYERS
+    // An edge turns little from frame to frame: its roundness goes along.
+    earlierPlace = texelFetch(earlierSurfacePlaces, vertex).xyz + normal.w * away;
+    NAME_THING(texelFetch(surfaceParticles, vertex).x);
+#endif
     gl_Position = projectView(viewPlace);
 }

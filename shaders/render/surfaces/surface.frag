@@ -2,6 +2,7 @@
 #include "render/common/bump.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
+#include "render/common/thing.glsl"
 #include "render/surfaces/weave.glsl"
 #include "shared/matter_types.h"
 
@@ -23,4 +24,5 @@ void main()
     }
     surface = uvec2(packNormal(normal), packRoots(roots, 1.0));
     gl_FragDepth = 1.0 / (gl_FragCoord.w * frame.farDepth);
+    SHOW_THING(THING_PARTICLE);
 }

@@ -3,15 +3,16 @@
 #include "render/common/scale_color.glsl"
 #include "render/common/surface.glsl"
 
-#ifdef COLOR_BY_QUANTITY
-uniform usamplerBuffer surfaceParticles;
+#if defined(COLOR_BY_QUANTITY) || defined(COLOR_BY_SPEED) || defined(LAYERS)
+uniform usamplerBuffer surfaceParticles;    // the nearest one
+#endif
 
+#ifdef COLOR_BY_QUANTITY
 vec3 surfaceRoots(int vertex, float stored)
 {
     return sqrt(quantityColor(int(texelFetch(surfaceParticles, vertex).x)));
 }
 #elif defined(COLOR_BY_SPEED)
-uniform usamplerBuffer surfaceParticles;
 uniform samplerBuffer velocities;
 
 vec3 surfaceRoots(int vertex, float stored)

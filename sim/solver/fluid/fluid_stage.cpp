@@ -204,16 +204,16 @@ void FluidStage::substep(Recorder& recorder, uint32_t index) const
     recorder.perElement(seal_, parameters_.particleCount);
 }
 
-std::vector<float> FluidStage::densities() const
+std::vector<std::pair<uint32_t, float>> FluidStage::densities() const
 {
     const std::vector<gpu::vec4> covers = slotCovers.download();
     const std::vector<uint32_t> particles = slotParticles.download();
-    std::vector<float> densities;
+    std::vector<std::pair<uint32_t, float>> densities;
     // Inactive particles have no slot.
     uint32_t slots = 0;
     fluidCellStarts.read(&slots, sizeof slots, (parameters_.fluidCellMask + 1) * sizeof slots);
     for (size_t k = 0; k < slots; ++k)
-        if (particles[k] >= parameters_.particleCount) densities.push_back(covers[k].w);
+        if (particles[k] >= parameters_.particleCount) densities.emplace_back(particles[k], covers[k].w);
     return densities;
 }
 

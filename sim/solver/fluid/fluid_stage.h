@@ -30,9 +30,9 @@ public:
     /// positions of the substep's end.
     /// @param index of the substep in its step
     void substep(Recorder& recorder, uint32_t index) const;
-    /// Densities of the fluid particles in the last substep over that at rest, in no particular order. Stalls until the
-    /// GPU is done.
-    std::vector<float> densities() const;
+    /// Fluid particles with their densities in the last substep over that at rest, in no particular order. Stalls until
+    /// the GPU is done.
+    std::vector<std::pair<uint32_t, float>> densities() const;
     /// Names the buffers from which densities and pressures are drawn.
     void show(ParticleView& view) const;
 

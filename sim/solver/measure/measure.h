@@ -25,7 +25,7 @@ void measureSoftBodies(Measures& out, const World& world, const ParticleState& p
 void measureDistances(Measures& out, const World& world, const ParticleState& particles, const std::vector<bool>& torn);
 
 /// Adds the measures of fluids. @param densities of their particles, over those at rest.
-void measureFluids(Measures& out, const std::vector<float>& densities);
+void measureFluids(Measures& out, const std::vector<std::pair<uint32_t, float>>& densities);
 
 /// Whether two particles may touch: not of one body, and of one assembly only if they do not overlap at rest.
 bool mayTouch(const World& world, uint32_t a, uint32_t b);

@@ -4,11 +4,11 @@
 
 namespace knuckle {
 
-void measureFluids(Measures& out, const std::vector<float>& densities)
+void measureFluids(Measures& out, const std::vector<std::pair<uint32_t, float>>& densities)
 {
     if (densities.empty()) return;
     double errors = 0.0, volume = 0.0;
-    for (const float density : densities) {
+    for (const auto& [particle, density] : densities) {
         const float error = std::max(density - 1.0f, 0.0f);
         errors += error;
         volume += 1.0 / (1.0 + error);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "sim/base/random.h"
+#include "sim/solver/measure/spheroid.h"
 #include "sim/solver/step.h"
 #include "tests/solver/solver_test.h"
 
@@ -19,18 +20,13 @@ constexpr double FLATTEST = 0.4, LONGEST = 2.0, DROP = 0.86;
 /// forms that are far from that.
 constexpr double ROUNDING = 0.006, MIXED = 0.02, LEAST_COSINE = 0.9999;
 
-/// As math/spheroid.glsl has it.
 struct Form {
     explicit Form(uint32_t word)
     {
-        const double x = (word & 511) / 255.5 - 1.0, y = (word >> 9 & 511) / 255.5 - 1.0;
-        axis = {x, y, 1.0 - std::abs(x) - std::abs(y)};
-        const double fold = std::max(-axis.z(), 0.0);
-        axis.x() -= std::copysign(fold, x);
-        axis.y() -= std::copysign(fold, y);
-        axis.normalize();
-        along = std::exp2(0.9 * ((word >> 18 & 127) - 64.0) / 63.0);
-        across = std::exp2(0.9 * ((word >> 25) - 64.0) / 63.0);
+        const Spheroid form = unpackSpheroid(word);
+        axis = form.axis;
+        along = form.along;
+        across = form.across;
     }
     Vector3d axis;
     double along = 0, across = 0;
