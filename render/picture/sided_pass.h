@@ -9,7 +9,7 @@ namespace knuckle {
 /// surface, so that it is seen through them, and else after them.
 enum class FluidSide { Behind, InFront };
 
-/// A pass over the lit picture, of things on one side of fluids at a time (common/fluid_side.glsl).
+/// A pass over the lit picture, of things on one side of fluids at a time (common/rays/fluid_side.glsl).
 class SidedPass {
 public:
     SidedPass() = default;

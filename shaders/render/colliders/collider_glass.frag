@@ -13,7 +13,7 @@ float hitFrom(vec3 origin, vec3 way, out vec3 normal)
     return rayShape(uint(shapeColor.w), origin, way, shapeHalfExtents.xyz, shapePosition.w, normal);
 }
 
-#include "render/common/glass.glsl"
+#include "render/common/rays/glass.glsl"
 
 vec3 toShape(vec3 v) { return rotateBack(shapeOrientation, directionToWorld(v)); }
 vec3 fromShape(vec3 v) { return directionToView(rotate(shapeOrientation, v)); }

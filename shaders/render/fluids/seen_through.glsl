@@ -1,5 +1,5 @@
 // Where rays that the surface has bent meet what is behind it.
-#include "render/common/mirrored.glsl"
+#include "render/common/rays/mirrored.glsl"
 
 /// How far behind a bent ray things are, where it has gone that far [m]. @param place  There, as a texture coordinate.
 float gapBehind(vec3 p, vec3 way, float far, out vec2 place)

@@ -1,7 +1,7 @@
 // What a camera in fluid sees: things through the fluid, and its upper surface from below, where rays leave it (Snell)
 // or are thrown back (Fresnel).
 #include "render/common/fluid_looks.glsl"
-#include "render/common/mirrored.glsl"
+#include "render/common/rays/mirrored.glsl"
 #include "render/common/sky.glsl"
 #include "render/common/tone/tone_map.glsl"
 #include "render/fluids/top_map.glsl"

@@ -1,7 +1,7 @@
 // Polished ground over the lit picture: what the ray that it mirrors meets in the picture, else the sky.
 #include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
-#include "render/common/mirrored.glsl"
+#include "render/common/rays/mirrored.glsl"
 #include "render/common/sky.glsl"
 #include "render/common/surface.glsl"
 #include "render/common/tone/tone_map.glsl"

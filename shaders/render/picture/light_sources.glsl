@@ -1,5 +1,5 @@
 // Lights beside the key light. They shade what the camera sees behind what it sees: by a ray through the depth picture.
-#include "render/common/screen_march.glsl"
+#include "render/common/rays/screen_march.glsl"
 
 uniform samplerBuffer lightSources;     // two each: place [m] or direction towards it, w: 1 for a point; colour
 

@@ -1,7 +1,7 @@
 // Lights the surfaces and paints the sky behind them; writes final colours, or light.
 #include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
-#include "render/common/screen_march.glsl"
+#include "render/common/rays/screen_march.glsl"
 #include "render/common/surface.glsl"
 #include "render/common/sky.glsl"
 #include "render/common/tone/tone_map.glsl"

@@ -12,7 +12,7 @@ float hitFrom(vec3 origin, vec3 way, out vec3 normal)
     return rayRounded(origin, way, rounded.xyz, rounded.w, normal);
 }
 
-#include "render/common/glass.glsl"
+#include "render/common/rays/glass.glsl"
 
 void main()
 {

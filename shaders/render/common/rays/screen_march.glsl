@@ -1,5 +1,5 @@
 // Rays through the depth picture.
-#include "render/common/fluid_side.glsl"
+#include "render/common/rays/fluid_side.glsl"
 
 const int HALVINGS = 6;
 const float ANY_THICKNESS = 1e6;

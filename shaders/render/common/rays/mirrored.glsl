@@ -1,6 +1,6 @@
 // What a ray that is mirrored or bent meets in the picture. What the camera does not see, as the undersides of things,
 // is not mirrored either: its front is.
-#include "render/common/screen_march.glsl"
+#include "render/common/rays/screen_march.glsl"
 #include "render/common/tone/tone_map.glsl"
 
 uniform sampler2D litPicture;

@@ -1,7 +1,7 @@
 // Light through glass of a convex shape. The includer defines before this how a ray meets the shape, in the shape's own
 // axes: float hitFrom(vec3 origin, vec3 way, out vec3 normal).
 #include "render/common/fog.glsl"
-#include "render/common/mirrored.glsl"
+#include "render/common/rays/mirrored.glsl"
 #include "render/common/sky.glsl"
 
 layout(location = 0) out vec4 picture;
