@@ -38,8 +38,9 @@ public:
     float valueAt(const Node& node) const;
     static size_t placeIn(const Block& block, const Node& node)
     {
-        const Eigen::Array<size_t, 3, 1> at = (node - block.first).cast<size_t>();
-        return at.x() + BLOCK * (at.y() + BLOCK * at.z());
+        const Node at = node - block.first;
+        const int place = at.x() + BLOCK * (at.y() + BLOCK * at.z());
+        return static_cast<size_t>(place);
     }
 
 private:
