@@ -59,7 +59,9 @@ fi
 [[ -n $sources ]] || exit 0
 
 cmake --preset tidy >/dev/null   # writes compile_commands.json, in which each source stands alone
-xargs -n 4 -P "$(nproc)" clang-tidy -p build/tidy --quiet <<<"$sources"
+# Where OpenVDB is not there, nothing says how to compile what includes it.
+grep -q /vdb_file.cpp build/tidy/compile_commands.json || sources=$(grep -v '/vdb_file\.cpp$' <<<"$sources" || true)
+xargs -r -n 4 -P "$(nproc)" clang-tidy -p build/tidy --quiet <<<"$sources"
 
 if [[ -n $all ]]; then
     if git diff --quiet HEAD -- "${parts[@]}" shaders .clang-tidy; then

@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-#include "render/output/exr_file.h"
+#include "render/output/exr_bytes.h"
 #include "render/reader/picture.h"
 #include "sim/base/errors.h"
 

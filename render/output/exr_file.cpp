@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "render/output/exr_bytes.h"
 #include "sim/base/errors.h"
 
 namespace knuckle {

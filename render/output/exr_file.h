@@ -1,18 +1,11 @@
 #pragma once
 
-#include <OpenEXR/ImfFrameBuffer.h>
-#include <OpenEXR/ImfHeader.h>
-
 #include <cstdint>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace knuckle {
-
-/// The bytes of an OpenEXR file. @param frame slices of all channels of the header. @throws RunError.
-std::string exrBytes(const Imf::Header& header, const Imf::FrameBuffer& frame);
 
 /// A channel, a number for each pixel, top row first: its first one.
 struct ExrChannel {

@@ -92,10 +92,10 @@ void FluidField::makeBlocks(const std::vector<Kernel>& kernels)
                     [&](const Node& cell) { keys_.push_back(cellKey(cell)); });
         if (keys_.size() < 4'000'000) continue;
         std::ranges::sort(keys_);
-        keys_.erase(std::ranges::unique(keys_).begin(), keys_.end());
+        keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     }
     std::ranges::sort(keys_);
-    keys_.erase(std::ranges::unique(keys_).begin(), keys_.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     blocks_.resize(keys_.size());
     for (size_t b = 0; b < blocks_.size(); ++b) blocks_[b].first = BLOCK * cellOfKey(keys_[b]);
 }

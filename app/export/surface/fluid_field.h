@@ -39,7 +39,8 @@ public:
     static size_t placeIn(const Block& block, const Node& node)
     {
         const Node at = node - block.first;
-        return static_cast<size_t>(at.x() + BLOCK * (at.y() + BLOCK * at.z()));
+        const int place = at.x() + BLOCK * (at.y() + BLOCK * at.z());
+        return static_cast<size_t>(place);
     }
 
 private:
