@@ -1,10 +1,12 @@
 #include "app/film/film_outputs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "app/run/tell.h"
 #include "render/output/existing_pictures.h"
 #include "render/output/film_kinds.h"
 #include "sim/base/errors.h"
@@ -59,6 +61,15 @@ void addOutputs(const FilmOptions& options, const Exporters& exporters, const Sc
     for (const auto& exporter : exporters) exporter->addPaths(scene, paths);
     for (const std::string& path : {options.stats, options.record.states, options.record.last})
         if (!path.empty()) paths.writes(path);
+}
+
+void tellLeftOut(const Exporters& exporters, const World& world)
+{
+    for (const auto& exporter : exporters) {
+        const std::vector<std::string> names = exporter->leftOut(world);
+        if (names.empty()) continue;
+        tellUser(fmt::format("knuckle: note: {} leaves out {}", exporter->path(), fmt::join(names, ", ")));
+    }
 }
 
 uint64_t lastMissing(const Scene& scene, const FilmOptions& options, const FrameRange& range)

@@ -24,6 +24,9 @@ void checkOutputs(const FilmOptions& film);
 /// Adds all outputs of a run. @throws InputError as RunPaths does.
 void addOutputs(const FilmOptions& options, const Exporters& exporters, const Scene& scene, RunPaths& paths);
 
+/// Says what of the world exporters leave out.
+void tellLeftOut(const Exporters& exporters, const World& world);
+
 /// The last frame that any output lacks; 0: all are there. The range's last if something else than pictures is wanted
 /// of the run, or existing ones are not skipped.
 uint64_t lastMissing(const Scene& scene, const FilmOptions& options, const FrameRange& range);
