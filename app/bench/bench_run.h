@@ -54,6 +54,10 @@ nlohmann::ordered_json measuresToJson(const Measures& measures, float diameter);
 nlohmann::ordered_json runsToJson(const BenchOptions& options, const Gpu& gpu, uint32_t settled,
                                   nlohmann::ordered_json runs);
 
+/// `bench table2`. @returns the exit code.
+int benchTable2(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common);
+/// `bench dam` and `bench sand`. @returns the exit code.
+int benchColumn(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common);
 /// `bench troupe`. @returns the exit code.
 int benchTroupe(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common);
 /// `bench draw`. @returns the exit code.
