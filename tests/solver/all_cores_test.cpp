@@ -34,7 +34,7 @@ TEST(AllCores, WhatEachThreadMakesIsSeenByTheCaller)
             std::unique_lock lock(mutex);
             threads.insert(std::this_thread::get_id());
             changed.notify_all();
-            changed.wait_for(lock, std::chrono::seconds(20), [&] { return threads.size() >= wanted; });
+            if (i == 0) changed.wait_for(lock, std::chrono::seconds(20), [&] { return threads.size() >= wanted; });
         }
         EXPECT_EQ(&own == &gpu(), std::this_thread::get_id() == caller);
         const std::vector<uint32_t> content = {static_cast<uint32_t>(i)};
