@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "app/bench/bench_run.h"
 #include "app/bench/trials.h"
 #include "app/json/json.h"
 #include "app/run/exit_codes.h"
@@ -82,13 +83,6 @@ Json toJson(const Trial& trial, const Times& times, const SpeedRatio& ratio)
             {"medianRatio", ratio.median}, {"lowRatio", ratio.low},
             {"highRatio", ratio.high},     {"confidence", ratio.confidence},
             {"difference", wordOf(ratio)}};
-}
-
-double medianOf(std::vector<double> times)
-{
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::ranges::nth_element(times, middle);
-    return *middle;
 }
 
 void printRow(const Trial& trial, const Times& times, const SpeedRatio& ratio)

@@ -22,7 +22,7 @@ struct ScaleRun {
     std::string world;
     size_t particleCount = 0;
     uint32_t substeps = 0;
-    double milliseconds = 0.0;  ///< A step.
+    double milliseconds = 0.0;  ///< A step, the median.
     uint64_t bufferBytes = 0;
     std::vector<PassTime> passes = {};  ///< Of PASS_STEPS steps.
     std::string problem = {};           ///< Why it has not run; empty: it has.
@@ -50,7 +50,9 @@ void runOn(Gpu& gpu, const World& world, const ScaleOptions& options, ScaleRun& 
         return timeSteps(solver, interrupt, first + 1, count, [](uint32_t) {});
     };
     seconds(0, options.settling);
-    run.milliseconds = 1e3 * seconds(options.settling, options.steps) / options.steps;
+    std::vector<double> times;
+    for (uint32_t k = 0; k < options.steps; ++k) times.push_back(seconds(options.settling + k, 1));
+    run.milliseconds = 1e3 * medianOf(times);
     run.bufferBytes = solver.bufferBytes();
     solver.timePasses();
     seconds(options.settling + options.steps, PASS_STEPS);
@@ -106,8 +108,8 @@ int benchScale(const ScaleOptions& options, const CommonOptions& common)
     const uint32_t most = *std::ranges::max_element(options.particles);
     const auto gpu = openGpu(common, FrameWork{stepWorkload(worldOf(options.worlds.back(), most)), {}});
     if (!options.json)
-        fmt::print("Jointed pairs on the floor, four layers, and a column of water that breaks, on {}: of {} steps of\n"
-                   "1/60 s after {}, ms a step, us a particle and step; MiB of buffers, bytes a particle.\n\n"
+        fmt::print("Jointed pairs on the floor, four layers, and a column of water that breaks, on {}: the\n"
+                   "median of {} steps of 1/60 s after {}, ms and us a particle; MiB of buffers, bytes a particle.\n\n"
                    "world  particles  substeps   ms/step  us/particle      MiB  bytes/particle\n",
                    gpu->device().name, options.steps, options.settling);
     nlohmann::ordered_json runs = nlohmann::ordered_json::array();

@@ -89,9 +89,9 @@ void addCompare(CLI::App& bench, CommandLine line)
     command->add_option("B", options->b, "Another, or the same")->required();
     command
         ->add_option("--bench", options->trials,
-                     fmt::format("What is measured; cold and warm: the first frame of hello.json, without and with "
-                                 "shaders compiled before [{}]",
-                                 fmt::join(first, ",")))
+                     fmt::format("What is measured: {}; of these cold and warm: the first frame of hello.json, without "
+                                 "and with shaders compiled before [{}]",
+                                 fmt::join(names, ","), fmt::join(first, ",")))
         ->delimiter(',')
         ->check(oneOf(names))
         ->type_name("NAME,...");
@@ -109,7 +109,7 @@ void addScale(CLI::App& bench, CommandLine line)
     command->footer(
         "pairs: those of table2, four layers on a floor that grows. dam: a column of water, 16 particles high, that\n"
         "breaks. The number of particles is the nearest that such a world can have. A world that does not fit the\n"
-        "device is told. A million particles take some seconds a step and a few GiB with the software driver.\n\n"
+        "device is told. With the software driver, a million particles take some seconds a step.\n\n"
         "Examples:\n"
         "  knuckle bench scale\n"
         "  knuckle bench scale --particles 16000,65000 --world dam\n"
