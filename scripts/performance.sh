@@ -1,22 +1,34 @@
 #!/usr/bin/env bash
-# Writes the tables of table 2 in README.md, docs/performance.md and docs/paper.md, from docs/bench.json. --run [NOTE]:
-# measures first, some ten minutes on two quiet cores; the note tells what else the machine did. --check: fails if a
-# document has other figures.
+# Writes the tables of table 2 in README.md, docs/performance.md and docs/paper.md, from docs/bench.json, and the
+# pictures in docs/performance, from scale.json there. --run [NOTE]: measures table 2 first, some ten minutes on two
+# quiet cores; --scale [NOTE]: measures time and memory at growing sizes, as long. Both add a line to history.jsonl
+# there; the note tells what else the machine did. --check: fails if a document or a picture has other figures.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 figures=docs/bench.json
+folder=docs/performance
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-if [[ ${1:-} == --run ]]; then
+# measure FILE NOTE BENCHMARK [OPTION...]
+measure() {
+    local file=$1 note=$2
+    shift 2
     bash scripts/build.sh release knuckle
-    build/release/bin/knuckle bench table2 --preset default,paper --json >"$work/figures"
+    build/release/bin/knuckle bench "$@" --json >"$work/figures"
     { echo '{'
       echo "  \"measured\": \"$(date +%F)\","
-      echo "  \"note\": \"$(tr -d '"\\' <<<"${2:-on a quiet machine}")\","
-      tail -n +2 "$work/figures"; } >"$figures"
-fi
+      echo "  \"note\": \"$(tr -d '"\\' <<<"${note:-on a quiet machine}")\","
+      tail -n +2 "$work/figures"; } >"$work/whole"
+    mkdir -p "$(dirname "$file")"
+    cp "$work/whole" "$file"
+    python3 scripts/performance_record.py append "$file" "$folder/history.jsonl"
+}
+case ${1:-} in
+    --run) measure "$figures" "${2:-}" table2 --preset default,paper ;;
+    --scale) measure "$folder/scale.json" "${2:-}" scale ;;
+esac
 
 # The JSON has one key per line, as the program writes it. Makes a line of values per run, in the order of the keys.
 run_keys='preset objectCount particleCount stepsPerSecond settledStepsPerSecond drawnStepsPerSecond pileTop
@@ -110,4 +122,7 @@ mode=${1:-}
 fill README.md printed
 fill docs/performance.md full_table
 fill docs/paper.md beside_the_paper
+option=()
+[[ $mode != --check ]] || option=(--check)
+python3 scripts/performance_record.py plot "$folder/scale.json" "$folder" "${option[@]}" || failed=1
 exit $failed

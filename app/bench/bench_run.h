@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -32,6 +33,14 @@ inline double secondsSince(std::chrono::steady_clock::time_point start)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// The upper one of two in the middle. @param values one at least.
+inline double medianOf(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
 /// Runs `count` steps, each followed by `draw`, and waits for the last. @returns seconds.
 template <typename Draw>
 double timeSteps(Solver& solver, const InterruptGuard& interrupt, uint32_t first, uint32_t count, Draw draw)
@@ -54,6 +63,10 @@ nlohmann::ordered_json measuresToJson(const Measures& measures, float diameter);
 nlohmann::ordered_json runsToJson(const BenchOptions& options, const Gpu& gpu, uint32_t settled,
                                   nlohmann::ordered_json runs);
 
+/// `bench table2`. @returns the exit code.
+int benchTable2(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common);
+/// `bench dam` and `bench sand`. @returns the exit code.
+int benchColumn(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common);
 /// `bench troupe`. @returns the exit code.
 int benchTroupe(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common);
 /// `bench draw`. @returns the exit code.

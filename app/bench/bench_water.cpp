@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "app/bench/bench_worlds.h"
 #include "app/bench/draw_timing.h"
-#include "app/bench/table2_world.h"
 #include "sim/base/errors.h"
 #include "sim/solver/workload.h"
 

@@ -31,10 +31,7 @@ inline std::vector<double> timeDrawing(std::span<Renderer> renderers, const Solv
         }
     }
     std::vector<double> medians;
-    for (std::vector<double>& times : milliseconds) {
-        std::ranges::sort(times);
-        medians.push_back(times[times.size() / 2]);
-    }
+    for (const std::vector<double>& times : milliseconds) medians.push_back(medianOf(times));
     return medians;
 }
 

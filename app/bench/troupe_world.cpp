@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/bench/table2_world.h"
+#include "app/bench/bench_worlds.h"
 #include "sim/base/errors.h"
 #include "sim/rig/bodies/make_actor.h"
 #include "sim/rig/clips/body_clip.h"
@@ -51,12 +51,9 @@ uint32_t addFigureMaterial(WorldBuilder& builder)
 /// The place of a figure: layer after layer, row after row, about the middle of the box.
 Pose poseOf(uint32_t index)
 {
-    const auto place = [](uint32_t k, uint32_t count) {
-        return static_cast<float>(k) - 0.5f * static_cast<float>(count - 1);
-    };
     const uint32_t layer = index / (COLUMNS * ROWS), column = index % COLUMNS, row = index / COLUMNS % ROWS;
-    return {{COLUMN_WIDTH * place(column, COLUMNS), LIFT + LAYER_HEIGHT * static_cast<float>(layer),
-             ROW_DEPTH * place(row, ROWS)},
+    return {{COLUMN_WIDTH * fromMiddle(column, COLUMNS), LIFT + LAYER_HEIGHT * static_cast<float>(layer),
+             ROW_DEPTH * fromMiddle(row, ROWS)},
             Quaternionf::Identity()};
 }
 

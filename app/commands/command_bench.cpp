@@ -1,154 +1,136 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/bench/bench_compare.h"
 #include "app/bench/bench_run.h"
-#include "app/bench/table2_world.h"
+#include "app/bench/bench_scale.h"
+#include "app/bench/trials.h"
+#include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/files/assets.h"
 #include "app/scene/scene_document.h"
-#include "render/renderer.h"
-#include "sim/solver/workload.h"
 
 namespace knuckle {
 
 namespace {
 
-/// The paper's table 2 [frames/s].
-struct PaperRow {
-    uint32_t objects;
-    int quadroP6000, gtx1080, unreal;
+/// Benchmarks that `bench` runs by name, and their numbers of objects.
+struct Benchmark {
+    const char* name;
+    std::vector<uint32_t> objects;
 };
-constexpr PaperRow PAPER[] = {{300, 273, 233, 195}, {600, 133, 95, 95}, {1200, 40, 36, 39}};
-constexpr uint32_t SETTLED_STEPS = 200;
-
-/// @returns null if the paper has no such row.
-const PaperRow* paperRow(uint32_t objects)
+const std::vector<Benchmark>& benchmarks()
 {
-    const auto* row = std::find_if(std::begin(PAPER), std::end(PAPER),
-                                   [&](const PaperRow& candidate) { return candidate.objects == objects; });
-    return row == std::end(PAPER) ? nullptr : row;
+    static const std::vector<Benchmark> all = {
+        {"table2", {300, 600, 1200}}, {"troupe", {100}}, {"dam", {4}}, {"sand", {4}}, {"draw", {25}}, {"water", {16}}};
+    return all;
 }
 
-struct BenchRun {
-    std::string preset;
-    uint32_t objectCount = 0;
-    size_t particleCount = 0;
-    double stepsPerSecond = 0.0, settledStepsPerSecond = 0.0, drawnStepsPerSecond = 0.0;
-    float pileTop = 0.0f;  ///< Highest body centre [m].
-    Measures measures;
-    float diameter = 0.1f;
-};
-
-BenchRun runOnce(Gpu& gpu, uint32_t objectCount, const std::string& preset, const BenchOptions& options,
-                 const Settings& settings)
+std::vector<std::string> benchmarkNames()
 {
-    const World world = table2World(objectCount, settings);
-    Solver solver(gpu, world);
-    const InterruptGuard interrupt;
-    const uint32_t settled = std::min(SETTLED_STEPS, options.steps);
-    const auto nothing = [](uint32_t) {};
-    const double falling = timeSteps(solver, interrupt, 1, options.steps - settled, nothing);
-    const double resting = timeSteps(solver, interrupt, options.steps - settled + 1, settled, nothing);
-    BenchRun run;
-    run.preset = preset;
-    run.objectCount = objectCount;
-    run.particleCount = world.particles.size();
-    run.diameter = world.diameter();
-    run.stepsPerSecond = options.steps / (falling + resting);
-    run.settledStepsPerSecond = settled / resting;
-    run.measures = solver.measure();
-    for (const BodyState& body : solver.readBodies()) run.pileTop = std::max(run.pileTop, body.position.y());
-    if (options.drawnSteps > 0) {
-        Renderer renderer(gpu, world, {});
-        const ParticleView view = solver.view();
-        const double drawn = timeSteps(solver, interrupt, options.steps + 1, options.drawnSteps, [&](uint32_t step) {
-            renderer.draw(view, step * static_cast<double>(world.settings.timeStep));
-        });
-        run.drawnStepsPerSecond = options.drawnSteps / drawn;
-    }
-    return run;
-}
-
-nlohmann::ordered_json published(const PaperRow* row)
-{
-    if (row == nullptr) return nullptr;
-    return {{"quadroP6000", row->quadroP6000}, {"gtx1080", row->gtx1080}, {"unreal", row->unreal}};
-}
-
-nlohmann::ordered_json toJson(const BenchRun& run)
-{
-    nlohmann::ordered_json json = {{"preset", run.preset},
-                                   {"objectCount", run.objectCount},
-                                   {"particleCount", run.particleCount},
-                                   {"stepsPerSecond", run.stepsPerSecond},
-                                   {"settledStepsPerSecond", run.settledStepsPerSecond},
-                                   {"drawnStepsPerSecond", run.drawnStepsPerSecond},
-                                   {"pileTop", run.pileTop}};
-    json.update(measuresToJson(run.measures, run.diameter));
-    json["published"] = published(paperRow(run.objectCount));
-    return json;
-}
-
-void printRow(const BenchRun& run)
-{
-    const PaperRow* paper = paperRow(run.objectCount);
-    const std::string published = paper == nullptr
-                                      ? fmt::format("{:>7}{:>7}{:>7}", "-", "-", "-")
-                                      : fmt::format("{:7}{:7}{:7}", paper->quadroP6000, paper->gtx1080, paper->unreal);
-    fmt::print("{:<8}{:7}{:11}{:9.1f}{:9.1f}{:9.1f}{}{:8.2f}{:9.1f}{:7.1f}{:9.1f}{:7.1f}{:7.2f}\n", run.preset,
-               run.objectCount, run.particleCount, run.stepsPerSecond, run.settledStepsPerSecond,
-               run.drawnStepsPerSecond, published, run.pileTop, 100 * run.measures.meanPenetration / run.diameter,
-               100 * run.measures.worstPenetration / run.diameter, 100 * run.measures.meanJointGap / run.diameter,
-               100 * run.measures.worstJointGap / run.diameter, run.measures.maxSpeed);
-    std::fflush(stdout);
-}
-
-/// A step's work in the largest world for a software driver: one device, with its threads, serves all worlds.
-Workload benchWorkload(const BenchOptions& options, const std::vector<Preset>& presets)
-{
-    const uint32_t most = *std::max_element(options.objects.begin(), options.objects.end());
-    return stepWorkload(table2World(most, presets.back().second));
-}
-
-int benchTable2(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common)
-{
-    const auto gpu = openGpu(common, FrameWork{benchWorkload(options, presets), {}});
-    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
-    if (!options.json) {
-        fmt::print("Table 2 on {}: {} steps of 1/60 s; steps/s of all, of the last {}, and drawn at 1280x720;\n"
-                   "beside them the paper's frames/s; penetration and joint gap in % of a diameter; the fastest\n"
-                   "particle at the end in m/s.\n\n"
-                   "preset  objects  particles      all  settled    drawn  P6000   1080    UE4  top, m mean pen  worst "
-                   "mean gap  worst  speed\n",
-                   gpu->device().name, options.steps, SETTLED_STEPS);
-    }
-    for (uint32_t objectCount : options.objects) {
-        for (const auto& [preset, settings] : presets) {
-            const BenchRun run = runOnce(*gpu, objectCount, preset, options, settings);
-            if (options.json) runs.push_back(toJson(run));
-            else printRow(run);
-        }
-    }
-    const uint32_t settled = std::min(SETTLED_STEPS, options.steps);
-    if (options.json) fmt::print("{}\n", runsToJson(options, *gpu, settled, std::move(runs)).dump(2));
-    return EXIT_FINE;
+    std::vector<std::string> names;
+    for (const Benchmark& benchmark : benchmarks()) names.emplace_back(benchmark.name);
+    return names;
 }
 
 int bench(BenchOptions options, const CommonOptions& common)
 {
     options.model = findAsset(options.model);
-    const bool troupe = options.name == "troupe", draw = options.name == "draw", water = options.name == "water";
-    if (options.objects.empty() && draw) options.objects = {25};
-    if (options.objects.empty() && water) options.objects = {16};
-    if (options.objects.empty() && troupe) options.objects = {100};
-    if (options.objects.empty()) options.objects = {300, 600, 1200};
-    if (draw) return benchDraw(options, common);
-    if (water) return benchWater(options, common);
+    if (options.objects.empty())
+        options.objects = std::ranges::find(benchmarks(), options.name, &Benchmark::name)->objects;
+    if (options.name == "draw") return benchDraw(options, common);
+    if (options.name == "water") return benchWater(options, common);
     std::vector<Preset> presets;
     for (const std::string& preset : options.presets) presets.emplace_back(preset, loadSettings(preset, options.sets));
-    return troupe ? benchTroupe(options, presets, common) : benchTable2(options, presets, common);
+    if (options.name == "troupe") return benchTroupe(options, presets, common);
+    return options.name == "table2" ? benchTable2(options, presets, common) : benchColumn(options, presets, common);
+}
+
+constexpr const char* NOTES =
+    "table2: objects are pairs of 3x3x3 cubes with a joint, the four types in equal shares, dropped in\n"
+    "layers into a 4 x 4 m box. troupe: objects are actors in that box, who walk on the spot for half of\n"
+    "the steps and are limp for the rest. Penetration and gaps stand beside the speed, since a squashed\n"
+    "pile is fast. dam, sand: objects are blocks of 4096 particles in a column that breaks. draw: objects\n"
+    "are actors who walk on the spot, drawn as spheres and in their skins. water: objects are blocks of\n"
+    "4096 particles of water, drawn as spheres and as a surface.\n\n"
+    "Examples:\n"
+    "  knuckle bench table2 --objects 300,1200 --json\n"
+    "  knuckle bench table2 --preset default,paper --objects 300\n"
+    "  knuckle bench troupe\n"
+    "  knuckle bench dam --steps 120\n"
+    "  knuckle bench draw --objects 1,25,100\n"
+    "  knuckle bench water --drawn-steps 20\n"
+    "  knuckle bench compare old/knuckle build/release/bin/knuckle\n"
+    "  knuckle bench scale --particles 16000,65000";
+
+void addCompare(CLI::App& bench, CommandLine line)
+{
+    auto* command = bench.add_subcommand("compare", "Which of two knuckle programs is faster, and by how much");
+    command->fallthrough();
+    command->footer(
+        "Both are run in turn, so that a machine that changes its speed affects both alike. Of the ratios of their\n"
+        "times, round by round, the median is told, and an interval that holds the true one with 95 % or more,\n"
+        "however times scatter: from the k-th smallest to the k-th largest, by the binomial distribution. A first\n"
+        "run of each does not count. Exit code 0 whichever is faster.\n\n"
+        "Examples:\n"
+        "  knuckle bench compare old/knuckle build/release/bin/knuckle\n"
+        "  knuckle bench compare A B --bench table2,sand --rounds 15\n"
+        "  knuckle bench compare A B --bench cold,warm --json");
+    auto options = std::make_shared<CompareProgramsOptions>();
+    std::vector<std::string> names, first;
+    for (const Trial& trial : trials()) {
+        names.push_back(trial.name);
+        if (trial.byDefault) first.push_back(trial.name);
+    }
+    command->add_option("A", options->a, "A knuckle program")->required();
+    command->add_option("B", options->b, "Another, or the same")->required();
+    command
+        ->add_option("--bench", options->trials,
+                     fmt::format("What is measured: {}; of these cold and warm: the first frame of hello.json, without "
+                                 "and with shaders compiled before [{}]",
+                                 fmt::join(names, ","), fmt::join(first, ",")))
+        ->delimiter(',')
+        ->check(oneOf(names))
+        ->type_name("NAME,...");
+    command->add_option("--rounds", options->rounds, "How often each is run")
+        ->check(CLI::Range(FEWEST_PAIRS, 1000))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "Print JSON instead of the table, docs/output.md");
+    command->callback([=] { line.chosen = [=] { return benchCompare(*options, line.common); }; });
+}
+
+void addScale(CLI::App& bench, CommandLine line)
+{
+    auto* command = bench.add_subcommand("scale", "Time and memory of a step at growing numbers of particles");
+    command->fallthrough();
+    command->footer(
+        "pairs: those of table2, four layers on a floor that grows. dam: a column of water, 16 particles high, that\n"
+        "breaks. The number of particles is the nearest that such a world can have. A world that does not fit the\n"
+        "device is told. With the software driver, a million particles take some seconds a step.\n\n"
+        "Examples:\n"
+        "  knuckle bench scale\n"
+        "  knuckle bench scale --particles 16000,65000 --world dam\n"
+        "  knuckle bench scale --particles 1000000 --settle 5 --steps 5 --json");
+    auto options = std::make_shared<ScaleOptions>();
+    command->add_option("--particles", options->particles, "Sizes")
+        ->delimiter(',')
+        ->check(CLI::Range(100, 1000000))
+        ->capture_default_str();
+    command->add_option("--world", options->worlds, "What is simulated")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"pairs", "dam"}))
+        ->capture_default_str();
+    command->add_option("--settle", options->settling, "Steps of 1/60 s before those that are timed")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    command->add_option("--steps", options->steps, "Steps that are timed")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "Print JSON instead of the table, docs/output.md");
+    command->callback([=] { line.chosen = [=] { return benchScale(*options, line.common); }; });
 }
 
 }  // namespace
@@ -156,26 +138,18 @@ int bench(BenchOptions options, const CommonOptions& common)
 void addBenchCommand(CommandLine line)
 {
     auto* command = line.program.add_subcommand(
-        "bench", "Time the solver (the paper's table 2, a troupe of actors) or the drawing of a crowd or water");
+        "bench", "Time the solver or the drawing, at any size; compare the speed of two programs");
     command->fallthrough();
-    command->footer(
-        "table2: objects are pairs of 3x3x3 cubes with a joint, the four types in equal shares, dropped in\n"
-        "layers into a 4 x 4 m box. troupe: objects are actors in that box, who walk on the spot for half of\n"
-        "the steps and are limp for the rest. Penetration and gaps stand beside the speed, since a squashed\n"
-        "pile is fast. draw: objects are actors who walk on the spot, drawn as spheres and in their skins.\n"
-        "water: objects are blocks of 4096 particles of water, drawn as spheres and as a surface.\n\n"
-        "Example:\n  knuckle bench table2 --objects 300,1200 --json\n"
-        "  knuckle bench table2 --preset default,paper --objects 300\n"
-        "  knuckle bench troupe\n"
-        "  knuckle bench draw --objects 1,25,100\n"
-        "  knuckle bench water --drawn-steps 20");
+    command->footer(NOTES);
+    addCompare(*command, line);
+    addScale(*command, line);
     auto options = std::make_shared<BenchOptions>();
     command->add_option("BENCHMARK", options->name, "What to run")
-        ->check(CLI::IsMember({"table2", "troupe", "draw", "water"}))
+        ->check(CLI::IsMember(benchmarkNames()))
         ->capture_default_str();
     command
         ->add_option("--objects", options->objects,
-                     "Numbers of objects [300,600,1200; troupe: 100; draw: 25; water: 16]")
+                     "Numbers of objects [300,600,1200; troupe: 100; dam, sand: 4; draw: 25; water: 16]")
         ->delimiter(',')
         ->check(CLI::Range(1, 10000));
     command->add_option("--preset", options->presets, "Solver presets, each with every number of objects")
@@ -197,7 +171,9 @@ void addBenchCommand(CommandLine line)
     command->add_option("--model", options->model, "The figure of troupe and draw; it has a clip \"walk\"")
         ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON instead of the table, docs/output.md");
-    command->callback([=] { line.chosen = [=] { return bench(*options, line.common); }; });
+    command->callback([=] {
+        if (command->get_subcommands().empty()) line.chosen = [=] { return bench(*options, line.common); };
+    });
 }
 
 }  // namespace knuckle

@@ -66,6 +66,15 @@ void addOutputs(const FilmOptions& options, const Exporters& exporters, const Sc
         if (!path.empty()) paths.writes(path);
 }
 
+void tellLeftOut(const Exporters& exporters, const World& world)
+{
+    for (const auto& exporter : exporters) {
+        const std::vector<std::string> names = exporter->leftOut(world);
+        if (names.empty()) continue;
+        tellUser(fmt::format("knuckle: note: {} leaves out {}", exporter->path(), fmt::join(names, ", ")));
+    }
+}
+
 uint64_t lastMissing(const Scene& scene, const FilmOptions& options, const FrameRange& range)
 {
     if (!options.skipExisting || !options.stats.empty() || options.record.any() || options.hash ||
@@ -128,15 +137,6 @@ std::unique_ptr<FrameSink> FilmOutputs::makeSink(const Scene& scene, const FilmO
 bool FilmOutputs::wantsPicture(uint64_t frame) const
 {
     return std::ranges::any_of(sinks, [&](const auto& sink) { return sink->wants(frame); });
-}
-
-void FilmOutputs::tellLeftOut(const World& world) const
-{
-    for (const auto& exporter : exporters) {
-        const std::vector<std::string> names = exporter->leftOut(world);
-        if (names.empty()) continue;
-        tellUser(fmt::format("knuckle: note: {} leaves out {}", exporter->path(), fmt::join(names, ", ")));
-    }
 }
 
 }  // namespace knuckle

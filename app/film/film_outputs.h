@@ -24,6 +24,9 @@ void checkOutputs(const FilmOptions& film);
 /// Adds all outputs of a run. @throws InputError as RunPaths does.
 void addOutputs(const FilmOptions& options, const Exporters& exporters, const Scene& scene, RunPaths& paths);
 
+/// Says what of the world exporters leave out.
+void tellLeftOut(const Exporters& exporters, const World& world);
+
 /// The last frame that any output lacks; 0: all are there. The range's last if something else than pictures is wanted
 /// of the run, or existing ones are not skipped.
 uint64_t lastMissing(const Scene& scene, const FilmOptions& options, const FrameRange& range);
@@ -45,9 +48,6 @@ struct FilmOutputs {
     bool wantsPicture(uint64_t frame) const;
     /// Whether its pictures have labels.
     bool hasLabels() const { return hasLabels_; }
-
-    /// Notes what exporters cannot write of the world.
-    void tellLeftOut(const World& world) const;
 
 private:
     std::unique_ptr<FrameSink> makeSink(const Scene& scene, const FilmOptions& options, size_t output,

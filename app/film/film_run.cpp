@@ -31,19 +31,22 @@ public:
         : scene_(scene), options_(options), begin_(options.branch ? options.branch->frame : 1),
           range_(options.frames.of(scene, begin_)), views_(viewsOf(scene, options)), checkpoint_(openCheckpoint()),
           outputs_(scene, options, range_, std::move(exporters), checkpoint_.get()), gpu_(openGpu(common, work())),
-          solver_(*gpu_, options.branch ? options.branch->world(scene) : scene.world), steps_(*gpu_, scene, solver_),
+          deviceSeconds_(startClock_.lap()),
+          solver_(*gpu_, options.branch ? options.branch->world(scene) : scene.world, {}, Loading::AtFirstStep),
+          worldSeconds_(startClock_.lap()), steps_(*gpu_, scene, solver_),
           progress_("frame", range_.last, common.quiet), quiet_(common.quiet), done_(begin_ - 1)
     {
         const bool timed = outputs_.stats.has_value();
         exporting_.emplace(outputs_.exporters, *gpu_);
         if (timed) noteFigures();
         if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
-        if (!common.quiet) outputs_.tellLeftOut(scene_.world);
+        if (!common.quiet) tellLeftOut(outputs_.exporters, scene.world);
         if (outputs_.hasLabels() || checkpoint_ || options.record.any() || options.branch)
             facts_ = factsOf(scene, *gpu_, options.source);
         if (options.record.any()) recording_.emplace(options.record, scene, facts_, begin_, range_.last);
         figures_.device = gpu_->device().name;
         figures_.driverThreads = gpu_->threads();
+        figures_.start = {deviceSeconds_, worldSeconds_};
         if (!(checkpoint_ && resume()) && options.branch) beginBranch(*options.branch);
     }
 
@@ -161,6 +164,7 @@ private:
     {
         const bool measured = outputs_.stats.has_value();
         if (measured && drawing_) drawing_->wait();
+        figures_.start.kernels += secondsOf([&] { solver_.prepare(); });
         {
             const Stopwatch watch(figures_.simulationSeconds);
             steps_.advance(
@@ -252,9 +256,12 @@ private:
     std::vector<FilmView> views_;
     std::unique_ptr<Checkpoint> checkpoint_;
     FilmOutputs outputs_;
+    LapClock startClock_;
     std::unique_ptr<Gpu> gpu_;
+    double deviceSeconds_;
     std::optional<OpenExporters> exporting_;
     Solver solver_;
+    double worldSeconds_;
     FilmSteps steps_;
     std::unique_ptr<FrameDrawing> drawing_;
     std::optional<ReleaseLog> releases_;

@@ -119,11 +119,11 @@ DrawingThread::DrawingThread(const Gpu& gpu, const Scene& scene, const std::vect
           gpu_.reset();
       })
 {
-    thread_.push([&, this] {
+    // Meanwhile the solver's kernels are compiled.
+    thread_.push([this, &gpu, &scene, &views, &sinks, timed] {
         gpu_ = Gpu::sharingWith(gpu);
         drawing_ = std::make_unique<DrawingHere>(*gpu_, scene, views, sinks, timed);
     });
-    thread_.drain();
 }
 
 void DrawingThread::take(const ParticleView& view, const Frame& frame)

@@ -26,6 +26,10 @@ struct RunFigures {
     DriverThreads driverThreads;
     uint64_t frames = 0, steps = 0;
     double simulationSeconds = 0.0, totalSeconds = 0.0;
+    /// Parts of the start [s]: the device is opened, the world uploaded, what a step needs compiled.
+    struct {
+        double device = 0.0, world = 0.0, kernels = 0.0;
+    } start = {};
     /// The same until all shaders were compiled.
     struct {
         double totalSeconds = 0.0, simulationSeconds = 0.0;

@@ -10,7 +10,8 @@ ViewPasses::ViewPasses(const Gpu& gpu, BufferTable& table, bool hasUnseen, bool 
     table.add(Lifetime::State, view_);  // for an automatic camera, whose place follows from its last one
     table.add(Lifetime::Scratch, boxes_);
     bounds_ = Kernel(gpu, table, "render/view/frame_bounds.comp", defines);
-    const Defines ofCamera = hasSolids ? Defines{{"SOLIDS", "1"}} : Defines{};
+    Defines ofCamera = hasSolids ? Defines{{"SOLIDS", "1"}} : Defines{};
+    if (hasFramed) ofCamera.push_back({"FRAMED", "1"});
     camera_ = Kernel(gpu, table, "render/view/frame_camera.comp", ofCamera);
     fit_ = Kernel(gpu, table, "render/view/frame_view.comp");
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <mutex>
 
 #include "sim/base/errors.h"
 
@@ -92,6 +93,12 @@ Bindings::Bindings(const Program& program, const BufferTable& table, const std::
     findUniforms(table, user);
     findSamplers(table, user);
     findImages(table, user);
+    // Kernels of one table may be made on several threads.
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    for (const Sampled& sampled : images_) sampled.buffer->texture(sampled.format);
+    for (const Sampled& sampled : samplers_)
+        if (sampled.buffer != nullptr) sampled.buffer->texture(sampled.format);
 }
 
 /// Names of blocks begin with a capital in shaders; names in the table do not.

@@ -93,6 +93,12 @@ void Kernel::dispatchIndirect(KernelTimer& timer, const RawBuffer& arguments, ui
     end(timer);
 }
 
+void Kernel::compile() const
+{
+    KernelTimer none;
+    dispatchIndirect(none, Buffer<gpu::uvec4>("noGroups", 1), 0);
+}
+
 uint32_t groupsFor(uint64_t threads)
 {
     return static_cast<uint32_t>((threads + GROUP_SIZE - 1) / GROUP_SIZE);

@@ -59,6 +59,9 @@ public:
     void dispatch(KernelTimer& timer, uint32_t groups) const;
     /// Group counts from `arguments` at element `index` of four words each.
     void dispatchIndirect(KernelTimer& timer, const RawBuffer& arguments, uint32_t index) const;
+    /// Has the driver compile it for what it is bound to, which a software driver else does at the first dispatch, in
+    /// each context by itself. What one has compiled another finds in the driver's cache on disk.
+    void compile() const;
 
 private:
     void begin(KernelTimer& timer) const;

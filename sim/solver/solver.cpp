@@ -24,17 +24,23 @@ struct Solver::Impl {
     Impl(Gpu& gpuIn, const World& worldIn, const std::optional<ListRoom>& room)
         : gpu(gpuIn), world(worldIn), stages(gpuIn, world, {}, room)
     {
-        stages.load();
     }
 
     Gpu& gpu;
     const World& world;
     Stages stages;
-    bool started = false;
+    bool loaded = false, started = false;
     KernelTimer timer;
+
+    void load()
+    {
+        if (!loaded) stages.load();
+        loaded = true;
+    }
 
     void record()
     {
+        load();
         Recorder recorder(timer, stages.dispatches);
         if (!started) recordStart(stages, recorder);
         started = true;
@@ -68,12 +74,18 @@ struct Solver::Impl {
     }
 };
 
-Solver::Solver(Gpu& gpu, const World& world, const std::optional<ListRoom>& room)
+Solver::Solver(Gpu& gpu, const World& world, const std::optional<ListRoom>& room, Loading loading)
     : impl_(std::make_unique<Impl>(gpu, world, room))
 {
+    if (loading == Loading::Now) prepare();
 }
 
 Solver::~Solver() = default;
+
+void Solver::prepare()
+{
+    impl_->load();
+}
 
 void Solver::step()
 {
@@ -200,6 +212,7 @@ std::vector<float> Solver::fluidDensities()
 
 uint64_t Solver::stateHash()
 {
+    impl_->stages.loadHash();
     return impl_->stages.stateHash.hash(impl_->timer);
 }
 
@@ -228,6 +241,7 @@ void Solver::carryOver(const Solver& other, const Counterparts& same, uint64_t s
     to.grow(wanted);
     const auto substep = static_cast<uint32_t>(steps * impl_->world.settings.substeps);
     loadState({true, carriedOver({other.impl_->world, from}, {impl_->world, to}, same, substep)});
+    impl_->load();
     Recorder recorder(impl_->timer, to.dispatches);
     if (to.fluidWatch) to.fluidWatch->begin(recorder);
 }
@@ -259,6 +273,14 @@ std::vector<ContactForce> Solver::contactForces()
 uint32_t Solver::searchCount()
 {
     return impl_->stages.counters.download()[0].searchCount;
+}
+
+uint64_t Solver::bufferBytes()
+{
+    const BufferTable table = impl_->stages.table();
+    uint64_t sum = 0;
+    for (const auto& [name, entry] : table.entries()) sum += entry.buffer->bytes();
+    return sum;
 }
 
 std::vector<PassTime> Solver::passTimes()

@@ -36,17 +36,25 @@ struct SolverState {
     std::vector<gpu::Motor> motors = {};  ///< What drives joints.
 };
 
+/// When a solver's kernels are compiled.
+enum class Loading {
+    Now,
+    AtFirstStep  ///< For a run that may show nothing but the start.
+};
+
 /// A World on the GPU, and its step.
 class Solver {
 public:
     /// Uploads the world once. @throws DeviceError, with the number, when the device's limits are too small for it.
     /// @param world must outlive it. @param room first capacities of lists, for tests: bits do not depend on them.
-    Solver(Gpu& gpu, const World& world, const std::optional<ListRoom>& room = {});
-    Solver(Gpu& gpu, World&& world, const std::optional<ListRoom>& room = {}) = delete;
+    Solver(Gpu& gpu, const World& world, const std::optional<ListRoom>& room = {}, Loading loading = Loading::Now);
+    Solver(Gpu& gpu, World&& world, const std::optional<ListRoom>& room = {}, Loading loading = Loading::Now) = delete;
     ~Solver();
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
+    /// Compiles what a step needs, unless that is done; else the first step does. @throws DeviceError.
+    void prepare();
     /// Advances by Settings::timeStep. Only records GL work: nothing is uploaded, nothing read back.
     void step();
     /// Once a frame: reads the counters, 72 bytes. Steps in which lists overflowed are repeated with more room.
@@ -83,6 +91,8 @@ public:
     std::vector<ContactForce> contactForces();
     /// Number of searches for contacts, at most one a substep.
     uint32_t searchCount();
+    /// Of all buffers that kernels know by name [bytes].
+    uint64_t bufferBytes();
     std::vector<PassTime> passTimes();
     /// Times every pass from now on, for passTimes().
     void timePasses();

@@ -79,15 +79,6 @@ public:
     virtual void reserve(gpu::StepParameters&, const gpu::Counters&) const {}
     /// Adds its buffers under the names by which kernels know them.
     virtual void addBuffers(BufferTable& table) = 0;
-    /// Compiles its kernels, when all stages have added their buffers.
-    void load(const LoadKernel& load)
-    {
-        for (Pass* pass : passes_) pass->load(load);
-    }
-
-protected:
-    /// Lists of the current search and of the previous one share one buffer.
-    static constexpr size_t HALVES = 2;
 
     /// A kernel of a stage, named once.
     class Pass : public Kernel {
@@ -105,6 +96,13 @@ protected:
         const char* path_;
         Defines variant_;
     };
+
+    /// Its kernels, to be loaded when all stages have added their buffers.
+    const std::vector<Pass*>& passes() const { return passes_; }
+
+protected:
+    /// Lists of the current search and of the previous one share one buffer.
+    static constexpr size_t HALVES = 2;
 
 private:
     std::vector<Pass*> passes_;

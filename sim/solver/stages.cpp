@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 
+#include "sim/gpu/all_cores.h"
 #include "sim/solver/drive/drive_upload.h"
 #include "sim/solver/fluid/fluid_grid.h"
 #include "sim/solver/pack.h"
@@ -178,17 +180,23 @@ Defines Stages::worldDefines() const
                       {"GRID_HASH", s.grid == GridKind::Hash}});
 }
 
-void Stages::load()
+void Stages::load(const std::vector<Stage*>& stages)
 {
     const BufferTable buffers = table();
     const Defines common = worldDefines();
-    const LoadKernel load = [&](const char* path, const Defines& variant) {
-        Defines defines = common;
-        defines.insert(defines.end(), variant.begin(), variant.end());
-        return Kernel(gpu_, buffers, std::string("sim/") + path + ".comp", defines, variantName(variant),
-                      gridRenames(variant));
-    };
-    for (Stage* stage : all()) stage->load(load);
+    std::vector<Stage::Pass*> passes;
+    for (const Stage* stage : stages)
+        std::ranges::copy_if(stage->passes(), std::back_inserter(passes),
+                             [](const Stage::Pass* pass) { return pass->program() == 0; });
+    makeOnAllCores(gpu_, passes.size(), [&](size_t i, const Gpu& gpu) {
+        passes[i]->load([&](const char* path, const Defines& variant) {
+            Defines defines = common;
+            defines.insert(defines.end(), variant.begin(), variant.end());
+            return Kernel(gpu, buffers, std::string("sim/") + path + ".comp", defines, variantName(variant),
+                          gridRenames(variant));
+        });
+        if (gpu.device().software) passes[i]->compile();
+    });
 }
 
 StagesState Stages::save()

@@ -45,8 +45,10 @@ public:
     /// @param room first capacities of lists, for tests: bits do not depend on them.
     Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle = {}, const std::optional<ListRoom>& room = {});
 
-    /// Compiles the kernels of all stages. @throws DeviceError.
-    void load();
+    /// Compiles the kernels of all stages, on all cores. @throws DeviceError.
+    void load() { load(all()); }
+    /// Only those of `stateHash`, which is all that a picture of the start needs.
+    void loadHash() { load({&stateHash}); }
     /// Gives every list the room that kernels asked for. Lists keep their contents.
     void grow(const gpu::Counters& counters);
     /// What a run carries from step to step. Stalls until the GPU is done.
@@ -60,6 +62,8 @@ public:
 
 private:
     std::vector<Stage*> all();
+    /// Compiles kernels that are not yet compiled.
+    void load(const std::vector<Stage*>& stages);
     /// Defines that all kernels of this world are compiled with.
     Defines worldDefines() const;
 

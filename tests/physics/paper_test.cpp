@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/bench/table2_world.h"
+#include "app/bench/bench_worlds.h"
 #include "sim/world/builder/parts/joints.h"
 #include "tests/physics/physics_fixture.h"
 

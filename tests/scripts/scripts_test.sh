@@ -120,7 +120,46 @@ test_structure() {
     cd "$root"
 }
 
+# A history and pictures of made-up figures.
+test_record() {
+    local tree=$folder/record
+    mkdir -p "$tree/pictures"
+    cd "$tree"
+    echo 1.2.3 >VERSION
+    size() {
+        printf '{ "world": "dam", "particleCount": %s, "problem": null, "milliseconds": %s, ' "$1" "$2"
+        printf '"microsecondsPerParticle": %s, "bytesPerParticle": 500, "passes": [' "$3"
+        printf '{ "name": "finish", "milliseconds": 10 }, { "name": "fluid_find", "milliseconds": %s }] },\n' "$4"
+    }
+    { echo '{ "measured": "2026-01-02", "note": "alone", "benchmark": "scale", "device": "none", "runs": ['
+      size 16000 32 2 30
+      size 64000 192 3 90
+      echo '{ "world": "dam", "particleCount": 900000, "problem": "too large" } ] }'; } >scale.json
+    record() { python3 "$root/scripts/performance_record.py" "$@" 2>&1; }
+    record append scale.json history.jsonl
+    record append scale.json history.jsonl
+    expect 'lines of history' 2 "$(wc -l <history.jsonl)"
+    cat >show.py <<'END'
+import json
+run = json.loads(open("history.jsonl").readline())
+print(run["measured"], run["version"], run["runs"][1]["milliseconds"], run["runs"][2]["problem"])
+END
+    expect 'a run' '2026-01-02 1.2.3 192 too large' "$(python3 show.py)"
+    local stale='pictures/passes_dam.svg does not show scale.json; run scripts/performance.sh'
+    expect 'a picture that is missing' "$stale" "$(record plot scale.json pictures --check | grep passes || true)"
+    record plot scale.json pictures
+    expect 'pictures' 'passes_dam.svg scaling.svg' "$(ls pictures | paste -sd' ')"
+    expect 'shares of the size next to 64,000' '90.0 % 10.0 %' \
+        "$(grep -oE '[0-9.]+ %' pictures/passes_dam.svg | paste -sd' ')"
+    expect 'pictures that are there' '' "$(record plot scale.json pictures --check)"
+    sed -i 's/"milliseconds": 90/"milliseconds": 40/' scale.json
+    expect 'other figures' "$stale" "$(record plot scale.json pictures --check || true)"
+    expect 'no command' 2 "$(record draw >/dev/null && echo 0 || echo $?)"
+    cd "$root"
+}
+
 test_mirror
+test_record
 test_tidy
 test_structure
 exit $failed

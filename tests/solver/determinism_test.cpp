@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/bench/table2_world.h"
+#include "app/bench/bench_worlds.h"
 #include "shared/state_hash.h"
 #include "sim/solver/solver.h"
 #include "tests/solver/determinism_worlds.h"

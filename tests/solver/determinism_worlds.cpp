@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/bench/table2_world.h"
+#include "app/bench/bench_worlds.h"
 #include "sim/rig/mesh/distance_grid.h"
 #include "tests/pair_fixture.h"
 #include "tests/solver/solver_test.h"

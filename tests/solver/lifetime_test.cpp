@@ -3,7 +3,7 @@
 #include <map>
 #include <random>
 
-#include "app/bench/table2_world.h"
+#include "app/bench/bench_worlds.h"
 #include "sim/solver/step.h"
 #include "tests/solver/determinism_worlds.h"
 #include "tests/solver/solver_test.h"

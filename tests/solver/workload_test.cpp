@@ -1,6 +1,6 @@
 #include "sim/solver/workload.h"
 
-#include "app/bench/table2_world.h"
+#include "app/bench/bench_worlds.h"
 #include "sim/solver/solver.h"
 #include "tests/solver/solver_test.h"
 

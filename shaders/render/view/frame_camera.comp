@@ -17,26 +17,10 @@ layout(std430) buffer View { FrameView view; };
 vec3 inFrontOfSolids(vec3 target, vec3 eye) { return eye; }
 #endif
 #include "render/view/framed_box.glsl"
+#ifdef FRAMED
 #include "render/view/kept_whole.glsl"
+#endif
 #include "render/view/focus.glsl"
-
-Box followedBox()
-{
-    vec3 sum = vec3(0.0);
-    for (uint i = 0; i < frame.followedBodyCount; ++i) sum += centres[frame.followedBodyStart + i].xyz;
-    return boxOf(sum / float(frame.followedBodyCount), sum / float(frame.followedBodyCount));
-}
-
-Box tracked(Box now)
-{
-    Box before = boxOf(view.trackedLow.xyz, view.trackedHigh.xyz);
-    if (frame.trackSeconds < 0.0) before = now;
-    Box box = boxOf(mix(before.low, now.low, approachFraction(lessThan(now.low, before.low))),
-                    mix(before.high, now.high, approachFraction(greaterThan(now.high, before.high))));
-    view.trackedLow = vec4(box.low, 0.0);
-    view.trackedHigh = vec4(box.high, 0.0);
-    return box;
-}
 
 // A camera that moves by itself stays in front of floors and walls.
 vec3 inFrontOfPlanes(vec3 eye)
@@ -49,19 +33,24 @@ vec3 inFrontOfPlanes(vec3 eye)
 // Where the camera sees the box; where a plane is in its way, from a side where it is not.
 vec3 placeInFront(Box box, inout vec3 back)
 {
+    vec3 eye = vec3(0.0);
+#ifdef FRAMED
     bool isNamed = frame.framedBit != 0u;
     Stand before = Stand(view.trackedLow.xyz, view.trackedLow.w);
-    vec3 eye = vec3(0.0);
     if (!isNamed) box = tracked(box);
+#else
+    box = tracked(box);
+#endif
     for (int attempt = 0; attempt < 8; ++attempt) {
-        vec3 right = perpendicular(back), up = cross(back, right), wanted, target = 0.5 * (box.low + box.high);
+        vec3 right = perpendicular(back), up = cross(back, right), target = 0.5 * (box.low + box.high);
+        vec3 wanted = placeThatFrames(box, right, up, back);
+#ifdef FRAMED
         if (isNamed) {
             Stand stand = keptWhole(before, box, right, up, back);
             target = stand.target;
             wanted = target + stand.distance * back;
-        } else {
-            wanted = placeThatFrames(box, right, up, back);
         }
+#endif
         eye = inFrontOfPlanes(wanted);
         if (eye == wanted) return eye;
         back = normalize(eye - target);

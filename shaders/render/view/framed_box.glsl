@@ -1,4 +1,4 @@
-// The box that an automatic camera is to show, from the bounds that frame_bounds found.
+// The box that an automatic camera is to show, from the bounds that frame_bounds found, and how it follows.
 
 // Stray particles further from the mean than this many standard deviations must not make the rest small.
 const float STRAY = 3.0;
@@ -69,4 +69,22 @@ Box framedBox()
     Box named = namedBox();
     if (named.low.x <= named.high.x) return named;
     return frame.cameraMode == CAMERA_FRAMES_AROUND ? seenAround(box) : box;
+}
+
+Box followedBox()
+{
+    vec3 sum = vec3(0.0);
+    for (uint i = 0; i < frame.followedBodyCount; ++i) sum += centres[frame.followedBodyStart + i].xyz;
+    return boxOf(sum / float(frame.followedBodyCount), sum / float(frame.followedBodyCount));
+}
+
+Box tracked(Box now)
+{
+    Box before = boxOf(view.trackedLow.xyz, view.trackedHigh.xyz);
+    if (frame.trackSeconds < 0.0) before = now;
+    Box box = boxOf(mix(before.low, now.low, approachFraction(lessThan(now.low, before.low))),
+                    mix(before.high, now.high, approachFraction(greaterThan(now.high, before.high))));
+    view.trackedLow = vec4(box.low, 0.0);
+    view.trackedHigh = vec4(box.high, 0.0);
+    return box;
 }

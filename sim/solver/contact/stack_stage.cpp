@@ -60,9 +60,10 @@ void StackStage::solve(Recorder& recorder, bool first) const
         const bool pull = first && k == 0, ends = k + 1 == steps;
         recorder.decided(pull ? pairsFirst_ : pairs_, stackSizes, STACK_BODIES_SIZE);
         if (hasColliders_) recorder.decided(pull ? collidersFirst_ : colliders_, stackSizes, STACK_BODIES_SIZE);
-        const Pass& begin = first ? solveFirst_ : solveAgain_;
-        const Pass& on = first ? solve_ : solveAgainOn_;
-        const Pass& end = first ? solveEnd_ : solveAgainEnd_;
+        recorder.decided(solve_, stackSizes, STACKS_SIZE);
+        const Pass& begin = first ? moveFirst_ : moveAgain_;
+        const Pass& on = first ? move_ : moveAgainOn_;
+        const Pass& end = first ? moveEnd_ : moveAgainEnd_;
         recorder.decided(k == 0 ? begin : ends ? end : on, stackSizes, STACKS_SIZE);
     }
 }

@@ -39,12 +39,13 @@ private:
     Pass pairs_{*this, "contact/stack/stack_pairs"};
     Pass collidersFirst_{*this, "contact/stack/stack_colliders", {{"FIRST", "1"}}, hasColliders_};
     Pass colliders_{*this, "contact/stack/stack_colliders", {}, hasColliders_};
-    Pass solveFirst_{*this, "contact/stack/stack_solve", {{"FIRST", "1"}, {"BEGINS", "1"}}};
     Pass solve_{*this, "contact/stack/stack_solve"};
-    Pass solveEnd_{*this, "contact/stack/stack_solve", {{"ENDS", "1"}}};
-    Pass solveAgain_{*this, "contact/stack/stack_solve", {{"AGAIN", "1"}, {"BEGINS", "1"}}};
-    Pass solveAgainOn_{*this, "contact/stack/stack_solve", {{"AGAIN", "1"}}};
-    Pass solveAgainEnd_{*this, "contact/stack/stack_solve", {{"AGAIN", "1"}, {"ENDS", "1"}}};
+    Pass moveFirst_{*this, "contact/stack/stack_move", {{"FIRST", "1"}, {"BEGINS", "1"}}};
+    Pass move_{*this, "contact/stack/stack_move"};
+    Pass moveEnd_{*this, "contact/stack/stack_move", {{"ENDS", "1"}}};
+    Pass moveAgain_{*this, "contact/stack/stack_move", {{"AGAIN", "1"}, {"BEGINS", "1"}}};
+    Pass moveAgainOn_{*this, "contact/stack/stack_move", {{"AGAIN", "1"}}};
+    Pass moveAgainEnd_{*this, "contact/stack/stack_move", {{"AGAIN", "1"}, {"ENDS", "1"}}};
     Pass keepPairs_{*this, "contact/stack/stack_pairs", {{"STORE", "1"}}};
     Pass keepColliders_{*this, "contact/stack/stack_colliders", {{"STORE", "1"}}, hasColliders_};
 };

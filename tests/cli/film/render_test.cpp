@@ -97,6 +97,8 @@ TEST_F(Render, WritesFigures)
     EXPECT_GT(stats["drawingPasses"].size(), 3u);
     EXPECT_EQ(stats["drawingPasses"][0]["count"], 4);
     EXPECT_GT(stats["simulationSeconds"].get<double>(), 0.0);
+    for (const char* part : {"deviceSeconds", "worldSeconds", "kernelSeconds", "firstPictureSeconds"})
+        EXPECT_GT(stats["start"][part].get<double>(), 0.0) << part;
     for (const char* key : {"device", "contacts", "substeps", "worstPenetration", "worstJointGap", "releases"}) {
         EXPECT_TRUE(stats.contains(key)) << key;
     }

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "app/bench/table2_world.h"
+#include "app/bench/bench_worlds.h"
 #include "sim/solver/solver.h"
 #include "tests/solver/solver_test.h"
 

@@ -102,6 +102,51 @@ TEST_F(Bench, TimesWaterAsSpheresAndAsASurface)
     expectDescribed(first);
 }
 
+TEST_F(Bench, TimesColumnsThatBreak)
+{
+    for (const char* benchmark : {"dam", "sand"}) {
+        const std::vector<std::string> column = {"bench", benchmark, "--objects", "1", "--steps", "2"};
+        const RunResult table = run(column);
+        EXPECT_EQ(table.code, 0) << table.err;
+        EXPECT_NE(table.out.find("\ndefault      1       4096"), std::string::npos) << table.out;
+        std::vector<std::string> words = column;
+        words.push_back("--json");
+        const Json figures = parseJson(run(words).out, "figures");
+        EXPECT_EQ(figures["benchmark"], benchmark);
+        const Json& first = figures["runs"][0];
+        for (const char* key : {"milliseconds", "settledMilliseconds", "microsecondsPerParticle", "substeps"})
+            EXPECT_GT(first[key].get<double>(), 0.0) << key;
+        EXPECT_NEAR(first["microsecondsPerParticle"].get<double>(), first["milliseconds"].get<double>() / 4.096, 1e-6);
+        expectDescribed(first);
+    }
+}
+
+TEST_F(Bench, ScalesWithTheNumberOfParticles)
+{
+    const std::vector<std::string> scale = {"bench",    "scale", "--particles", "1000,2000",
+                                            "--settle", "1",     "--steps",     "1"};
+    const RunResult table = run(scale);
+    EXPECT_EQ(table.code, 0) << table.err;
+    // One and four times eight pairs; 8 and 11 columns each way, 16 high.
+    for (const char* row : {"\npairs        462", "\npairs       1848", "\ndam         1024", "\ndam         1936"})
+        EXPECT_NE(table.out.find(row), std::string::npos) << row << table.out;
+    std::vector<std::string> words = scale;
+    words.insert(words.end(), {"--world", "dam", "--json"});
+    const Json figures = parseJson(run(words).out, "figures");
+    EXPECT_EQ(figures["benchmark"], "scale");
+    ASSERT_EQ(figures["runs"].size(), 2u);
+    const Json& last = figures["runs"][1];
+    EXPECT_EQ(last["world"], "dam");
+    EXPECT_TRUE(last["problem"].is_null());
+    for (const char* key : {"milliseconds", "microsecondsPerParticle", "bufferBytes"})
+        EXPECT_GT(last[key].get<double>(), 0.0) << key;
+    EXPECT_DOUBLE_EQ(last["bytesPerParticle"].get<double>(), last["bufferBytes"].get<double>() / 1936.0);
+    EXPECT_GT(last["passes"].size(), 10u);
+    expectDescribed(last);
+    EXPECT_EQ(run({"bench", "scale", "--particles", "99"}).code, 2);
+    EXPECT_EQ(run({"bench", "scale", "--world", "lava"}).code, 2);
+}
+
 TEST_F(Bench, DrawingNeedsFrames)
 {
     for (const char* benchmark : {"draw", "water"}) {
