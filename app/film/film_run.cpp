@@ -31,15 +31,13 @@ public:
         : scene_(scene), options_(options), begin_(options.branch ? options.branch->frame : 1),
           range_(options.frames.of(scene, begin_)), views_(viewsOf(scene, options)), checkpoint_(openCheckpoint()),
           outputs_(scene, options, range_, std::move(exporters), checkpoint_.get()), gpu_(openGpu(common, work())),
-          deviceSeconds_(startClock_.lap()),
+          deviceSeconds_(startClock_.lap()), exporting_(outputs_.exporters, *gpu_),
           solver_(*gpu_, options.branch ? options.branch->world(scene) : scene.world, {}, Loading::AtFirstStep),
           worldSeconds_(startClock_.lap()), steps_(*gpu_, scene, solver_),
           progress_("frame", range_.last, common.quiet), quiet_(common.quiet), done_(begin_ - 1)
     {
-        const bool timed = outputs_.stats.has_value();
-        exporting_.emplace(outputs_.exporters, *gpu_);
-        if (timed) noteFigures();
-        if (!outputs_.sinks.empty()) drawing_ = openDrawing(timed);
+        if (outputs_.stats) noteFigures();
+        if (!outputs_.sinks.empty()) drawing_ = openDrawing(outputs_.stats.has_value());
         if (!common.quiet) tellLeftOut(outputs_.exporters, scene.world);
         if (outputs_.hasLabels() || checkpoint_ || options.record.any() || options.branch)
             facts_ = factsOf(scene, *gpu_, options.source);
@@ -259,7 +257,7 @@ private:
     LapClock startClock_;
     std::unique_ptr<Gpu> gpu_;
     double deviceSeconds_;
-    std::optional<OpenExporters> exporting_;
+    OpenExporters exporting_;
     Solver solver_;
     double worldSeconds_;
     FilmSteps steps_;
@@ -290,12 +288,11 @@ RunFigures runFilm(const Scene& scene, const FilmOptions& wanted, const CommonOp
     if (!options.checkpoint.seconds) options.frames.last = missing;
     FilmRun run(scene, options, common, std::move(exporters));
     RunFigures figures = run.run();
-    if (!common.quiet) {
+    if (!common.quiet)
         fmt::print("{}, {} of them drawn, in {} ({:.1f} frames/s): {}\n", counted(figures.frames, "frame"),
                    figures.drawing.frames, durationText(figures.totalSeconds),
                    static_cast<double>(figures.frames) / std::max(1e-9, figures.totalSeconds),
                    fmt::join(options.outputs, ", "));
-    }
     if (options.hash) fmt::print("state hash {}\n", hashText(run.stateHash()));
     return figures;
 }

@@ -5,6 +5,7 @@
 #include "sim/base/errors.h"
 #include "sim/solver/carry/carry_over.h"
 #include "sim/solver/measure/measure.h"
+#include "sim/solver/stages_view.h"
 #include "sim/solver/state_copy.h"
 #include "sim/solver/step.h"
 
@@ -123,44 +124,12 @@ void Solver::checkCounters(uint64_t frame)
 
 ParticleView Solver::view() const
 {
-    const Stages& s = impl_->stages;
-    ParticleView view;
-    view.positions = s.particles.positions.id();
-    view.velocities = s.particles.velocities.id();
-    view.bodyCentres = s.bodies.moverCentres.id();
-    view.bodyRotations = s.bodies.moverRotations.id();
-    view.colliderPlaces = s.colliders.colliderPlaces.id();
-    view.colliderCount = s.parameters.colliderCount;
-    view.particleCount = s.parameters.particleCount + s.parameters.fluidCount;
-    view.bodyCount = s.parameters.bodyCount;
-    view.solidCount = s.parameters.particleCount;
-    view.radius = impl_->world.particleRadius;
-    view.fluidSpacing = impl_->world.fluidSpacing;
-    if (s.foam) view.foamPlaces = s.foam->foamPlaces.id();
-    view.foamCount = s.parameters.foamCapacity;
-    if (s.forms) view.fluidForms = s.forms->fluidForms.id();
-    if (s.fluids) s.fluids->show(view);
-    if (!s.strands || !canTear(impl_->world)) return view;
-    view.distanceStates = s.strands->distanceStates.id();
-    view.distanceCount = static_cast<uint32_t>(s.strands->distanceStates.size());
-    return view;
+    return viewOf(impl_->stages, impl_->world);
 }
 
 ViewState Solver::readView()
 {
-    const Stages& s = impl_->stages;
-    ViewState view{s.particles.positions.download(),      s.particles.velocities.download(),
-                   s.bodies.moverCentres.download(),      s.bodies.moverRotations.download(),
-                   s.colliders.colliderPlaces.download(), s.joints.tornParticles(impl_->world)};
-    // Movers that are no bodies come after them.
-    view.bodyCentres.resize(impl_->world.bodies.size());
-    view.bodyRotations.resize(impl_->world.bodies.size());
-    view.colliderPlaces.resize(2 * impl_->world.colliders.size());
-    if (s.foam) view.foamPlaces = s.foam->foamPlaces.download();
-    if (s.forms) view.fluidForms = s.forms->fluidForms.download();
-    if (!s.strands || !canTear(impl_->world)) return view;
-    for (const gpu::vec4& state : s.strands->distanceStates.download()) view.tornDistances.push_back(state.z != 0.0f);
-    return view;
+    return readViewOf(impl_->stages, impl_->world);
 }
 
 ParticleState Solver::readParticles()
