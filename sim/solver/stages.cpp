@@ -188,6 +188,8 @@ void Stages::load(const std::vector<Stage*>& stages)
     for (const Stage* stage : stages)
         std::ranges::copy_if(stage->passes(), std::back_inserter(passes),
                              [](const Stage::Pass* pass) { return pass->program() == 0; });
+    // Stages that few worlds need have the longest kernels; the last to begin should be short.
+    std::ranges::reverse(passes);
     makeOnAllCores(gpu_, passes.size(), [&](size_t i, const Gpu& gpu) {
         passes[i]->load([&](const char* path, const Defines& variant) {
             Defines defines = common;
