@@ -29,24 +29,35 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(packageFolder ${CMAKE_INSTALL_LIBDIR}/cmake/knuckle)
 set(assets ${CMAKE_INSTALL_DATADIR}/knuckle/assets)   # app/files/assets.cpp looks there
-install(TARGETS knuckle RUNTIME)
+# Three components: program, development, python (app/python). Each file is in exactly one.
+install(TARGETS knuckle RUNTIME COMPONENT program)
 install(TARGETS knuckle_public_knuckle knuckle_public_simulation knuckle_simulation knuckle_scene knuckle_rig
   knuckle_solver knuckle_layout knuckle_gpu knuckle_shaders knuckle_image knuckle_world knuckle_base
-  knuckle_precompiled knuckle_flags EXPORT knuckle ARCHIVE)
-install(EXPORT knuckle FILE knuckle-targets.cmake NAMESPACE knuckle:: DESTINATION ${packageFolder})
-install(DIRECTORY ${headers}/knuckle TYPE INCLUDE)
-install(DIRECTORY assets/scenes assets/models assets/schema DESTINATION ${assets})
-install(FILES LICENSE README.md CHANGELOG.md TYPE DOC)
-# Pages of the manual and completions, which the program prints, while installing.
-install(CODE "set(program \"$<TARGET_FILE:knuckle>\")
+  knuckle_precompiled knuckle_flags EXPORT knuckle ARCHIVE COMPONENT development)
+install(EXPORT knuckle FILE knuckle-targets.cmake NAMESPACE knuckle:: DESTINATION ${packageFolder}
+  COMPONENT development)
+install(DIRECTORY ${headers}/knuckle TYPE INCLUDE COMPONENT development)
+install(DIRECTORY assets/scenes assets/models assets/schema DESTINATION ${assets} COMPONENT program)
+install(FILES LICENSE README.md CHANGELOG.md TYPE DOC COMPONENT program)
+# All but the gallery's films, so that links between documents lead somewhere.
+install(DIRECTORY docs TYPE DOC COMPONENT program PATTERN gallery EXCLUDE)
+# Pages of the manual and completions, which the program prints, while installing. No variable may be named as a component
+# is: CMake's conditions before each rule would take its value.
+install(CODE "set(printer \"$<TARGET_FILE:knuckle>\")
   set(made \"${PROJECT_BINARY_DIR}/manual\")
-  include(\"${PROJECT_SOURCE_DIR}/cmake/print_manual.cmake\")")
-install(DIRECTORY ${PROJECT_BINARY_DIR}/manual/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
-install(FILES ${PROJECT_BINARY_DIR}/manual/knuckle DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES ${PROJECT_BINARY_DIR}/manual/_knuckle DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
-install(FILES ${PROJECT_BINARY_DIR}/manual/knuckle.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  include(\"${PROJECT_SOURCE_DIR}/cmake/print_manual.cmake\")" COMPONENT program)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/manual/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program)
+install(FILES ${PROJECT_BINARY_DIR}/manual/knuckle COMPONENT program
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${PROJECT_BINARY_DIR}/manual/_knuckle COMPONENT program
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${PROJECT_BINARY_DIR}/manual/knuckle.fish COMPONENT program
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 configure_package_config_file(cmake/knuckle-config.cmake.in ${PROJECT_BINARY_DIR}/knuckle-config.cmake
   INSTALL_DESTINATION ${packageFolder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/knuckle-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/knuckle-config.cmake ${PROJECT_BINARY_DIR}/knuckle-config-version.cmake
-  DESTINATION ${packageFolder})
+  DESTINATION ${packageFolder} COMPONENT development)
+if(PROJECT_IS_TOP_LEVEL)
+  include(cmake/packages/debian.cmake)
+endif()

@@ -1,9 +1,9 @@
-# What the program prints about itself, as files in `made`: man1/*.1, knuckle, _knuckle, knuckle.fish.
+# What the program `printer` prints about itself, as files in `made`: man1/*.1, knuckle, _knuckle, knuckle.fish.
 function(print file)
-  execute_process(COMMAND ${program} ${ARGN} OUTPUT_FILE ${file} COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${printer} ${ARGN} OUTPUT_FILE ${file} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 file(MAKE_DIRECTORY ${made}/man1)
-execute_process(COMMAND ${program} man --list OUTPUT_VARIABLE commands OUTPUT_STRIP_TRAILING_WHITESPACE
+execute_process(COMMAND ${printer} man --list OUTPUT_VARIABLE commands OUTPUT_STRIP_TRAILING_WHITESPACE
   COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE "\n" ";" commands "${commands}")
 print(${made}/man1/knuckle.1 man)
