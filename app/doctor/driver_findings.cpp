@@ -13,6 +13,7 @@
 #include "app/doctor/vendors.h"
 #include "app/json/json.h"
 #include "render/output/ffmpeg.h"
+#include "sim/base/errors.h"
 #include "sim/gpu/device/driver_advice.h"
 #include "sim/gpu/program.h"
 
@@ -111,19 +112,31 @@ void findDevices(DriverFindings& driver, const BoundedResult& listed)
     }
 }
 
+/// @throws InputError, as all commands do, for the number of no device. Where none is listed, the machine is at fault.
+void refuseAbsent(const DeviceChoice& choice, const BoundedResult& listed, const BoundedResult& chosen)
+{
+    if (choice.kind != DeviceChoice::Kind::Index || !listed.failure.empty() || chosen.failure.empty()) return;
+    const size_t count = Json::parse(listed.text).size();
+    if (count > 0 && choice.index >= count) throw InputError(chosen.failure);
+}
+
 }  // namespace
 
 DriverFindings findDriver(const CommonOptions& common)
 {
+    const DeviceChoice choice = DeviceChoice::parse(common.device);
     DriverFindings driver;
     findLibraries(driver.findings);
     const BoundedResult listed = runBounded([] { return devicesAsJson().dump(); }, DEVICE_SECONDS);
     const BoundedResult chosen = runBounded([&] { return chosenAsJson(common).dump(); }, DEVICE_SECONDS);
     driver.usable = chosen.failure.empty();
+    refuseAbsent(choice, listed, chosen);
     findVendors(driver.findings, driver.usable);
     findDevices(driver, listed);
     if (!driver.usable) {
-        driver.findings.push_back({Health::Wrong, fmt::format("--device {}: {}", common.device, chosen.failure)});
+        const bool namesIt = chosen.failure.starts_with("--device ");
+        driver.findings.push_back(
+            {Health::Wrong, (namesIt ? "" : fmt::format("--device {}: ", common.device)) + chosen.failure});
     } else {
         const Json device = Json::parse(chosen.text);
         driver.software = device[1];

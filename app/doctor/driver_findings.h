@@ -14,6 +14,7 @@ struct DriverFindings {
     bool software = false;  ///< It is the CPU.
 };
 
+/// @throws InputError for a device that is not there by its number, and for a word that names none.
 DriverFindings findDriver(const CommonOptions& common);
 
 /// An NVIDIA GPU without its part of EGL, as in containers. @param root of the file system, "" but in tests.

@@ -1,12 +1,15 @@
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 #include "app/doctor/bounded.h"
 #include "app/doctor/driver_findings.h"
+#include "app/json/json.h"
 #include "sim/base/errors.h"
 #include "tests/cli/cli_fixture.h"
 
@@ -64,6 +67,63 @@ TEST_F(Doctor, TellsThatNoDriverIsThere)
     const RunResult library = run({"doctor"}, {.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=" + file}});
     EXPECT_EQ(library.code, 3);
     EXPECT_NE(linesWith(library.out, "WRONG  EGL driver of " + file + ": libEGL_none.so.0"), "") << library.out;
+}
+
+TEST_F(Doctor, PrintsJson)
+{
+    const RunResult lines = run({"doctor"});
+    const RunResult result = run({"doctor", "--json", "--quiet"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const Json json = parseJson(result.out, "output");
+    EXPECT_EQ("knuckle " + json.at("version").get<std::string>() + "\n", run({"--version"}).out);
+    EXPECT_EQ(json.at("device"), "software");
+    EXPECT_EQ(json.at("usable"), true);
+    EXPECT_EQ(json.at("software"), true);
+    // Each is a line of the other form; times and memory differ from run to run.
+    std::string heads, lineHeads;
+    for (const Json& finding : json.at("findings")) {
+        const std::string what = finding.at("what");
+        heads += fmt::format("{:<7}{}\n", finding.at("health").get<std::string>(),
+                             what.substr(0, what.find_first_of(":;")));
+        EXPECT_TRUE(finding.at("remedy").is_null() || finding.at("remedy").is_string());
+    }
+    std::istringstream read(lines.out);
+    for (std::string line; std::getline(read, line) && !line.empty();)
+        lineHeads += line.substr(0, line.find_first_of(":;")) + "\n";
+    EXPECT_EQ(heads, lineHeads);
+
+    // Bytes in it that are no UTF-8.
+    const RunResult none = run({"doctor", "--json"}, {.environment = {"__EGL_VENDOR_LIBRARY_DIRS=/none\xff"}});
+    EXPECT_EQ(none.code, 3);
+    const Json broken = parseJson(none.out, "output");
+    EXPECT_EQ(broken.at("usable"), false);
+    EXPECT_TRUE(broken.at("software").is_null());
+    const auto wrong = std::ranges::find_if(broken.at("findings"), [](const Json& finding) {
+        return finding.at("what").get<std::string>().starts_with("EGL drivers: no file in /none");
+    });
+    ASSERT_NE(wrong, broken.at("findings").end()) << none.out;
+    EXPECT_EQ(wrong->at("health"), "wrong");
+    EXPECT_TRUE(wrong->at("remedy").get<std::string>().starts_with("install")) << wrong->dump();
+}
+
+TEST_F(Doctor, RefusesTheNumberOfNoDevice)
+{
+    const std::string said = test::runKnuckle({"info", "--device", "99"}).err;
+    for (const bool json : {false, true}) {
+        std::vector<std::string> words{"doctor", "--device", "99"};
+        if (json) words.push_back("--json");
+        const RunResult result = test::runKnuckle(words);
+        EXPECT_EQ(result.code, 2);
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(result.err, said);
+        EXPECT_TRUE(result.err.starts_with("knuckle: --device 99: there are only ")) << result.err;
+    }
+    // Without any device the number is not what is wrong.
+    const std::string environment = "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent";
+    const RunResult none = test::runKnuckle({"doctor", "--device", "99"}, {.environment = {environment}});
+    EXPECT_EQ(none.code, 3) << none.err;
+    EXPECT_NE(linesWith(none.out, "WRONG  --device 99: "), "") << none.out;
+    EXPECT_EQ(none.out.find("--device 99: --device"), std::string::npos) << none.out;
 }
 
 TEST_F(Doctor, TellsWhatFilmsLack)
