@@ -1,4 +1,11 @@
 # What Debian wants of each package that a plain installation has not; cpack runs this before it packs.
+# Without them packages would depend on no library.
+foreach(program dpkg-shlibdeps file)
+  find_program(found_${program} ${program})
+  if(NOT found_${program})
+    message(FATAL_ERROR "Debian packages need ${program} (apt-get install dpkg-dev file)")
+  endif()
+endforeach()
 file(READ ${CPACK_KNUCKLE_SOURCE}/LICENSE license)
 string(REGEX MATCH "Copyright \\(c\\) ([^\n]+)" ignored "${license}")
 set(holder ${CMAKE_MATCH_1})
