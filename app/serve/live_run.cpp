@@ -1,0 +1,181 @@
+#include "app/serve/live_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/film/branch_run.h"
+#include "app/json/json.h"
+#include "app/run/interrupt.h"
+#include "app/run/stopwatch.h"
+#include "app/run/tell.h"
+#include "app/serve/live_view.h"
+#include "app/serve/pace.h"
+#include "app/serve/page.h"
+#include "sim/base/fnv_hash.h"
+#include "sim/solver/workload.h"
+
+namespace knuckle {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+constexpr double FRAME_SECONDS = 1.0 / 30.0, FIGURES_SECONDS = 0.1, MEASURE_SECONDS = 1.0;
+constexpr std::chrono::microseconds LONGEST_WAIT{50000};  // between looks for signals
+
+/// The state of a scene that viewers steer.
+class LiveRun {
+public:
+    LiveRun(const Scene& scene, const Branch* branch, LiveFeed& feed, const CommonOptions& common)
+        : scene_(scene), feed_(feed),
+          gpu_(openGpu(common, FrameWork{stepWorkload(scene.world), drawingWorkload(liveSettings(scene))})),
+          solver_(*gpu_, branch != nullptr ? branch->world(scene) : scene.world),
+          pace_(static_cast<double>(scene.world.settings.timeStep))
+    {
+        if (branch != nullptr) beginBranch(*branch, *gpu_, scene, solver_, nullptr);
+        begin_ = solver_.saveState();
+        view_.emplace(*gpu_, scene, solver_.view());
+    }
+
+    /// One turn: inputs, steps, a frame, figures, a rest.
+    void turn()
+    {
+        for (const Input& input : feed_.inbox.take()) take(input);
+        advance(pace_.due());
+        const Clock::time_point now = Clock::now();
+        if (feed_.viewers > 0 && drawn_ != version_ && now >= nextFrame_) draw();
+        if (feed_.listeners > 0 && now >= nextFigures_) tellFigures();
+        std::chrono::microseconds rest = std::min(LONGEST_WAIT, pace_.untilNext());
+        if (feed_.viewers > 0 && drawn_ != version_) rest = std::min(rest, until(nextFrame_));
+        feed_.inbox.wait(rest);
+    }
+
+    uint64_t stateHash() { return solver_.stateHash(); }
+
+private:
+    static std::chrono::microseconds until(Clock::time_point moment)
+    {
+        return std::max(std::chrono::microseconds(0),
+                        std::chrono::duration_cast<std::chrono::microseconds>(moment - Clock::now()));
+    }
+    static Clock::time_point in(double seconds)
+    {
+        return Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(seconds));
+    }
+
+    double time() const { return static_cast<double>(steps_) * static_cast<double>(scene_.world.settings.timeStep); }
+
+    void take(const Input& input)
+    {
+        ++version_;
+        switch (input.kind) {
+            case InputKind::Orbit: view_->camera().orbit(input.by); break;
+            case InputKind::Pan: view_->camera().pan(input.by); break;
+            case InputKind::Zoom: view_->camera().zoom(input.factor); break;
+            case InputKind::Home: view_->goHome(); break;
+            case InputKind::Pause: pace_.pause(true); break;
+            case InputKind::Run: pace_.pause(false); break;
+            case InputKind::Step: pace_.ask(input.count); break;
+            case InputKind::Speed: pace_.setSpeed(static_cast<double>(input.factor)); break;
+            case InputKind::Reset: reset(); break;
+        }
+        nextFigures_ = {};
+    }
+
+    void reset()
+    {
+        solver_.loadState(begin_);
+        steps_ = 0;
+        pace_.clear();
+    }
+
+    void advance(uint32_t steps)
+    {
+        if (steps == 0) return;
+        pace_.took(steps, secondsOf([&] {
+                       for (uint32_t k = 0; k < steps; ++k) solver_.step();
+                       solver_.checkCounters(steps_ + steps);
+                   }));
+        steps_ += steps;
+        ++version_;
+    }
+
+    /// The simulation gets half of the time at least, up to a limit at which pictures would become too rare.
+    void draw()
+    {
+        constexpr double LONGEST_GAP = 0.1;
+        const double seconds = secondsOf([&] { feed_.frame.put(view_->draw(solver_.view(), time())); });
+        drawn_ = version_;
+        const double gap = pace_.isPaused() ? 0.0 : std::min(seconds, LONGEST_GAP);
+        nextFrame_ = in(std::max(gap, FRAME_SECONDS - seconds));
+        drawSeconds_ = seconds;
+    }
+
+    /// What takes a read of the whole state, once a second, or as often as it costs a tenth of the time.
+    void measure()
+    {
+        if (Clock::now() < nextMeasure_ || measured_ == steps_ + 1) return;
+        const double seconds = secondsOf([&] { measures_ = solver_.measure(); });
+        measured_ = steps_ + 1;
+        nextMeasure_ = in(std::max(MEASURE_SECONDS, 10.0 * seconds));
+    }
+
+    void tellFigures()
+    {
+        measure();
+        const Json figures{{"step", steps_},
+                           {"time", time()},
+                           {"stepMilliseconds", 1e3 * pace_.stepSeconds()},
+                           {"drawMilliseconds", 1e3 * drawSeconds_},
+                           {"paused", pace_.isPaused()},
+                           {"speed", pace_.speed()},
+                           {"maxSpeed", measures_.maxSpeed},
+                           {"energy", measures_.kineticEnergy},
+                           {"contacts", measures_.contactCount},
+                           {"particles", scene_.world.particles.size()},
+                           {"viewers", feed_.viewers.load()}};
+        feed_.figures.put(figures.dump());
+        nextFigures_ = in(FIGURES_SECONDS);
+    }
+
+    const Scene& scene_;
+    LiveFeed& feed_;
+    std::unique_ptr<Gpu> gpu_;
+    Solver solver_;
+    SolverState begin_;
+    std::optional<LiveView> view_;
+    Pace pace_;
+    uint64_t steps_ = 0;                ///< Since the start.
+    uint64_t version_ = 1, drawn_ = 0;  ///< Of what a picture shows; of the last picture.
+    uint64_t measured_ = 0;             ///< Steps at the last measure, and 1.
+    double drawSeconds_ = 0.0;
+    Measures measures_;
+    Clock::time_point nextFrame_, nextFigures_, nextMeasure_;
+};
+
+}  // namespace
+
+void serveScene(const Scene& scene, const Branch* branch, const ServeOptions& options, const CommonOptions& common)
+{
+    LiveFeed feed;
+    // Before all that takes long: who mistypes a port learns it at once.
+    const WebServer server(options.web, livePage(scene.name), feed);
+    LiveRun run(scene, branch, feed, common);
+    const InterruptGuard guard;
+    if (!common.quiet) {
+        const bool bare = options.web.host.find(':') == std::string::npos;
+        fmt::print("{} is shown at http://{}:{}/{}; Ctrl-C ends it\n", scene.name,
+                   bare ? options.web.host : "[" + options.web.host + "]", server.port(),
+                   options.web.token.empty() ? "" : "?token=TEXT");
+        flushStandardOutput();
+    }
+    while (!guard.isSignalled()) run.turn();
+    if (options.hash) fmt::print("state hash {}\n", hashText(run.stateHash()));
+    throw Interrupted{};
+}
+
+}  // namespace knuckle

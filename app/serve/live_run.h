@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "app/branch/branch.h"
+#include "app/run/open_gpu.h"
+#include "app/scene/scene_file.h"
+#include "app/serve/web_server.h"
+
+namespace knuckle {
+
+struct ServeOptions {
+    WebOptions web;
+    bool hash = false;  ///< Prints the last state's.
+};
+
+/// Simulates a scene no faster than time passes, and shows it in browsers, until a signal comes.
+/// @param branch what it goes on from; null: it begins at its start. @throws Interrupted at the end; InputError as
+/// WebServer; DeviceError, RunError as Solver.
+[[noreturn]] void serveScene(const Scene& scene, const Branch* branch, const ServeOptions& options,
+                             const CommonOptions& common);
+
+}  // namespace knuckle

@@ -1,0 +1,1 @@
+document.getElementById("picture").src = "stream" + location.search;
