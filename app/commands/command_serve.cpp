@@ -20,10 +20,13 @@ constexpr const char* SERVE_NOTES =
     "who look see the same.\n\n"
     "It listens on this machine alone. From elsewhere: ssh -L 8080:127.0.0.1:8080 MACHINE, or --host with a --token,\n"
     "which is sent unencrypted.\n\n"
+    "Ctrl and drag pulls a body, a click tells its name, a double click throws it.\n\n"
     "Examples:\n"
     "  knuckle serve assets/scenes/pile.json\n"
     "  knuckle serve assets/scenes/dance.json --size 640x360 --port 0\n"
-    "  knuckle serve assets/scenes/dam.json --host 0.0.0.0 --token \"$(openssl rand -hex 16)\"\n\n"
+    "  knuckle serve assets/scenes/dam.json --host 0.0.0.0 --token \"$(openssl rand -hex 16)\"\n"
+    "  knuckle serve assets/scenes/tower.json --log tower.log\n"
+    "  knuckle serve assets/scenes/tower.json --replay tower.log --hash\n\n"
     "docs/serve.md has what it answers to.";
 
 struct ServeWords {
@@ -47,6 +50,10 @@ int serve(const ServeWords& words, const CommonOptions& common)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", words.scene, warning));
     const std::unique_ptr<Branch> branch = openBranch(scene);
+    if (!words.options.replay.empty()) {
+        if (!words.options.log.empty()) throw InputError("--log: --replay makes none; leave out one of them");
+        return replayChanges(scene, branch.get(), words.options, common);
+    }
     serveScene(scene, branch.get(), words.options, common);
 }
 
@@ -74,6 +81,12 @@ void addServeCommand(CommandLine line)
         ->type_name("PATH=VALUE")
         ->take_all()
         ->allow_extra_args(false);
+    command->add_option("--log", words->options.log, "Write all that changes the simulation, by step")
+        ->type_name("FILE");
+    command
+        ->add_option("--replay", words->options.replay,
+                     "Simulate what --log has written, without a server; exit code 4 if another state comes out")
+        ->type_name("FILE");
     command->add_flag("--hash", words->options.hash, "Print the hash of the last state at the end");
     command->callback([=] { line.chosen = [=] { return serve(*words, line.common); }; });
 }

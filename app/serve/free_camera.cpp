@@ -14,8 +14,9 @@ constexpr float NEAREST = 1e-3f, FARTHEST = 1e4f;  // [m]
 
 }  // namespace
 
-FreeCamera::FreeCamera(const LayerCamera& camera, float distance, uint32_t height)
-    : distance_(std::clamp(distance, NEAREST, FARTHEST)), tanHalfFov_(static_cast<float>(0.5 * height / camera.focal))
+FreeCamera::FreeCamera(const LayerCamera& camera, float distance, uint32_t width, uint32_t height)
+    : distance_(std::clamp(distance, NEAREST, FARTHEST)), tanHalfFov_(static_cast<float>(0.5 * height / camera.focal)),
+      aspect_(static_cast<float>(width) / static_cast<float>(height))
 {
     const Vector3f towards = camera.toWorld.linear().col(2).cast<float>();
     around_ = std::atan2(towards.x(), towards.z());
@@ -40,6 +41,13 @@ void FreeCamera::pan(const Eigen::Vector2f& by)
 void FreeCamera::zoom(float factor)
 {
     distance_ = std::clamp(distance_ * factor, NEAREST, FARTHEST);
+}
+
+Vector3f FreeCamera::placeAt(const Eigen::Vector2f& at, float depth) const
+{
+    const Vector3f right = Vector3f::UnitY().cross(back()).normalized(), up = back().cross(right);
+    const float across = (2.0f * at.x() - 1.0f) * tanHalfFov_ * aspect_, above = (1.0f - 2.0f * at.y()) * tanHalfFov_;
+    return position() + depth * (across * right + above * up - back());
 }
 
 Vector3f FreeCamera::back() const

@@ -11,7 +11,7 @@ class FreeCamera {
 public:
     FreeCamera() = default;
     /// As another one stands. @param distance to what it turns about [m].
-    FreeCamera(const LayerCamera& camera, float distance, uint32_t height);
+    FreeCamera(const LayerCamera& camera, float distance, uint32_t width, uint32_t height);
 
     /// The picture turns to the right and up by angles [rad].
     void orbit(const Eigen::Vector2f& by);
@@ -22,6 +22,8 @@ public:
 
     Eigen::Vector3f position() const { return target_ + distance_ * back(); }
     const Eigen::Vector3f& target() const { return target_; }
+    /// The place at a depth along its axis [m]. @param at from the upper left corner, in shares of the picture.
+    Eigen::Vector3f placeAt(const Eigen::Vector2f& at, float depth) const;
 
 private:
     Eigen::Vector3f back() const;
@@ -30,7 +32,7 @@ private:
     float distance_ = 1.0f;  ///< [m]
     float around_ = 0.0f,
           above_ = 0.0f;  ///< Of the direction towards the camera: about +Y from +Z, over the level [rad].
-    float tanHalfFov_ = 0.36f;
+    float tanHalfFov_ = 0.36f, aspect_ = 1.0f;
 };
 
 }  // namespace knuckle

@@ -40,6 +40,13 @@ Eigen::Matrix<float, N, 1> numbersIn(const Json& json, const std::string& field,
     return values;
 }
 
+std::string nameIn(const Json& json)
+{
+    const auto found = json.find("name");
+    if (found == json.end() || !found->is_string()) failAt(WHERE, "/name", "must be the name of an object or a body");
+    return found->get<std::string>();
+}
+
 InputKind kindOf(const Json& json)
 {
     const auto found = json.find("do");
@@ -63,6 +70,14 @@ Input parseInput(const std::string& text)
     if (input.kind == InputKind::Orbit || input.kind == InputKind::Pan) input.by = numbersIn<2>(json, "by", 10.0f);
     if (input.kind == InputKind::Zoom) input.factor = numberIn(json, "factor", 0.1f, 10.0f);
     if (input.kind == InputKind::Speed) input.factor = numberIn(json, "factor", 0.1f, 1.0f);
+    const bool points = input.wantsAnswer() || input.kind == InputKind::Drag;
+    if (points) input.at = numbersIn<2>(json, "at", 1.0f).cwiseMax(0.0f);
+    if (input.kind == InputKind::Throw) input.factor = numberIn(json, "speed", 0.1f, 50.0f);
+    if (input.kind == InputKind::Push || input.kind == InputKind::Release) input.name = nameIn(json);
+    if (input.kind == InputKind::Push) {
+        input.impulse = numbersIn<3>(json, "impulse", 1e6f);
+        if (json.contains("at")) input.place = numbersIn<3>(json, "at", 1e6f);
+    }
     if (input.kind == InputKind::Step && json.contains("count"))
         input.count = static_cast<uint32_t>(numberIn(json, "count", 1.0f, 1000.0f));
     return input;

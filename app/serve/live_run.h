@@ -11,7 +11,9 @@ namespace knuckle {
 
 struct ServeOptions {
     WebOptions web;
-    bool hash = false;  ///< Prints the last state's.
+    bool hash = false;   ///< Prints the last state's.
+    std::string log;     ///< A file for all that changes the simulation; empty: none.
+    std::string replay;  ///< One of them: replayed instead of served.
 };
 
 /// Simulates a scene no faster than time passes, and shows it in browsers, until a signal comes.
@@ -19,5 +21,9 @@ struct ServeOptions {
 /// WebServer; DeviceError, RunError as Solver.
 [[noreturn]] void serveScene(const Scene& scene, const Branch* branch, const ServeOptions& options,
                              const CommonOptions& common);
+
+/// Simulates the changes of ServeOptions::replay, without a server. @returns the exit code: EXIT_DIFFERENT if another
+/// state comes out. @throws as serveScene().
+int replayChanges(const Scene& scene, const Branch* branch, const ServeOptions& options, const CommonOptions& common);
 
 }  // namespace knuckle

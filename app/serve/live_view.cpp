@@ -28,6 +28,8 @@ RenderSettings liveSettings(const Scene& scene)
     settings.camera = shotsOf(settings).front().camera;
     settings.camera.aperture = 0.0f;
     settings.camera.focused.clear();
+    settings.camera.roll = 0.0f;
+    if (!settings.camera.keys.empty()) settings.camera.fieldOfView = settings.camera.keys.front().fieldOfView;
     for (CameraKey& key : settings.camera.keys) key.aperture = 0.0f;
     settings.shots.clear();
     settings.samples = 1;
@@ -41,7 +43,7 @@ LiveView::LiveView(Gpu& gpu, const Scene& scene, const ParticleView& view)
 {
     renderer_.look(view, 0.0);
     const LayerCamera camera = renderer_.camera();
-    home_ = FreeCamera(camera, distanceOf(scene.world, camera), settings_.height);
+    home_ = FreeCamera(camera, distanceOf(scene.world, camera), settings_.width, settings_.height);
     camera_ = home_;
 }
 

@@ -24,6 +24,8 @@ using Routing = httplib::Server::HandlerResponse;
 constexpr const char* BOUNDARY = "knuckleframe";
 /// After which the last frame is sent again: whoever has gone is noticed, and no proxy takes the stream for dead.
 constexpr std::chrono::milliseconds AGAIN{1000};
+/// The first time something is picked, shaders are compiled.
+constexpr std::chrono::seconds LONGEST_ANSWER{20};
 constexpr time_t PATIENCE = 2;  // with who neither reads nor writes [s]
 
 void refuse(Response& response, int status, const std::string& why)
@@ -48,11 +50,12 @@ bool send(httplib::DataSink& sink, const std::string& bytes)
     return sink.write(bytes.data(), bytes.size());
 }
 
-/// Sends what is newest as long as somebody reads. @param write puts it in the format of its stream.
+/// Sends what is newest as long as somebody reads, first what is newer than `after`. @param write puts it in the format of its stream.
 template <typename Write>
-void follow(Response& response, const std::string& type, Latest& latest, std::shared_ptr<void> seat, Write write)
+void follow(Response& response, const std::string& type, Latest& latest, std::shared_ptr<void> seat, uint64_t after,
+            Write write)
 {
-    auto number = std::make_shared<uint64_t>(0);
+    auto number = std::make_shared<uint64_t>(after);
     response.set_content_provider(type,
                                   [&latest, seat = std::move(seat), number, write](size_t, httplib::DataSink& sink) {
                                       const Latest::Shown shown = latest.next(*number, AGAIN);
@@ -192,23 +195,32 @@ struct WebServer::Impl {
             return send(sink, head) && send(sink, jpeg) && send(sink, fmt::format("\r\n--{}\r\n", BOUNDARY));
         };
         follow(response, fmt::format("multipart/x-mixed-replace; boundary={}", BOUNDARY), feed.frame, std::move(seat),
-               write);
+               0, write);
     }
 
     void events(Response& response)
     {
         auto seat = seatAmong(feed.listeners, feed.inbox);
         if (!seat) return refuse(response, 503, "too many listen already");
-        follow(response, "text/event-stream", feed.figures, std::move(seat),
+        // Those of before somebody listened.
+        const uint64_t old = feed.figures.next(0, std::chrono::milliseconds(0)).number;
+        follow(response, "text/event-stream", feed.figures, std::move(seat), old,
                [](httplib::DataSink& sink, const std::string& json) { return send(sink, "data: " + json + "\n\n"); });
     }
 
     void take(const std::string& body, Response& response)
     {
         try {
-            const Input input = parseInput(body);
+            Input input = parseInput(body);
+            std::future<std::string> answer;
+            if (input.wantsAnswer()) {
+                input.answer = std::make_shared<std::promise<std::string>>();
+                answer = input.answer->get_future();
+            }
             if (!feed.inbox.put(input)) return refuse(response, 429, "too many inputs a second");
-            response.set_content("{}\n", "application/json");
+            if (answer.valid() && answer.wait_for(LONGEST_ANSWER) != std::future_status::ready)
+                return refuse(response, 503, "the simulation takes too long to answer");
+            response.set_content(answer.valid() ? answer.get() + "\n" : "{}\n", "application/json");
         } catch (const InputError& error) {
             refuse(response, 400, error.what());
         }

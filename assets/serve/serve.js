@@ -42,22 +42,59 @@ function shown() {
   return { left: box.left + (box.width - width) / 2, top: box.top + (box.height - height) / 2, width, height };
 }
 
-let last = null;
+// Where an event is, in shares of the picture.
+function placeOf(event) {
+  const box = shown(), share = (value, size) => Math.min(1, Math.max(0, value / size));
+  return [share(event.clientX - box.left, box.width), share(event.clientY - box.top, box.height)];
+}
+
+let chosen = "";
+function choose(found) {
+  if (!found) return;
+  if (found.message) return tell(found.message);
+  chosen = found.name;
+  $("chosen").hidden = !chosen;
+  $("chosen-name").textContent = chosen;
+  tell(chosen ? "" : "nothing that has a name");
+}
+const letGo = () => chosen && send({ do: "release", name: chosen });
+
+// A drag turns or moves the camera, with Ctrl it pulls what is under the mouse; without moving it is a click.
+let drag = null, held = null;
 picture.addEventListener("pointerdown", event => {
   if (event.button > 1) return;
   picture.setPointerCapture(event.pointerId);
   picture.classList.add("dragging");
-  last = { x: event.clientX, y: event.clientY };
+  drag = { x: event.clientX, y: event.clientY, moved: 0, pulls: event.ctrlKey || event.metaKey };
+  if (drag.pulls) {
+    held = placeOf(event);
+    send({ do: "grab", at: held }).then(choose);
+  }
 });
 picture.addEventListener("pointermove", event => {
-  if (!last) return;
-  const height = shown().height, x = (event.clientX - last.x) / height, y = (last.y - event.clientY) / height;
-  last = { x: event.clientX, y: event.clientY };
-  if (event.shiftKey || event.buttons === 4) move("pan", x, y);
+  if (!drag) return;
+  const height = shown().height, x = (event.clientX - drag.x) / height, y = (drag.y - event.clientY) / height;
+  drag.x = event.clientX;
+  drag.y = event.clientY;
+  drag.moved += Math.hypot(x, y);
+  if (drag.pulls) {
+    held = placeOf(event);
+    sendSum("drag", () => ({ do: "drag", at: held }));
+  } else if (event.shiftKey || event.buttons === 4) move("pan", x, y);
   else move("orbit", 3 * x, 3 * y);
 });
 for (const end of ["pointerup", "pointercancel"])
-  picture.addEventListener(end, () => { last = null; picture.classList.remove("dragging"); });
+  picture.addEventListener(end, event => {
+    if (!drag) return;
+    if (drag.pulls) send({ do: "drop" });
+    else if (end === "pointerup" && drag.moved < 0.01) send({ do: "pick", at: placeOf(event) }).then(choose);
+    drag = held = null;
+    picture.classList.remove("dragging");
+  });
+// Who holds still holds on.
+setInterval(() => { if (held) sendSum("drag", () => ({ do: "drag", at: held })); }, 1000);
+picture.addEventListener("dblclick", event => send({ do: "throw", at: placeOf(event), speed: 5 }).then(choose));
+picture.addEventListener("contextmenu", event => event.preventDefault());
 picture.addEventListener("wheel", event => {
   event.preventDefault();
   zoom(Math.exp(Math.min(1, Math.max(-1, event.deltaY / 500))));
@@ -77,12 +114,14 @@ const toggle = () => send({ do: now.paused ? "run" : "pause" });
 $("run").onclick = toggle;
 $("one").onclick = () => send({ do: "step" });
 $("reset").onclick = () => send({ do: "reset" });
+$("release").onclick = letGo;
 $("home").onclick = () => send({ do: "home" });
 $("speed").oninput = () => setSpeed(Number($("speed").value));
 $("help-button").onclick = () => $("help").showModal();
 
 const keys = {
   " ": toggle, s: () => send({ do: "step" }), r: () => send({ do: "reset" }), h: () => send({ do: "home" }),
+  l: letGo,
   "[": () => setSpeed(now.speed - 0.1), "]": () => setSpeed(now.speed + 0.1), "?": () => $("help").showModal(),
   "+": () => zoom(0.9), "-": () => zoom(1 / 0.9),
   ArrowLeft: () => move("orbit", -0.1, 0), ArrowRight: () => move("orbit", 0.1, 0),
@@ -98,6 +137,7 @@ document.addEventListener("keydown", event => {
 
 function show(figures) {
   now = figures;
+  if (figures.message) tell(figures.message);
   $("step").textContent = figures.step;
   $("time").textContent = figures.time.toFixed(2) + " s";
   $("step-time").textContent = figures.stepMilliseconds.toFixed(1) + " ms";
@@ -110,7 +150,8 @@ function show(figures) {
 }
 
 const events = new EventSource("events" + query);
-events.onmessage = event => { tell(""); show(JSON.parse(event.data)); };
+events.onopen = () => tell("");
+events.onmessage = event => { show(JSON.parse(event.data)); };
 events.onerror = () => tell("no connection to the program");
 
 // A picture that breaks off is asked for again.
