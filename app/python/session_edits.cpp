@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/python/session.h"
-#include "app/scene/named.h"
+#include "app/scene/names/named.h"
 #include "sim/base/errors.h"
 
 namespace knuckle {

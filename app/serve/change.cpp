@@ -5,7 +5,7 @@
 #include <array>
 #include <fstream>
 
-#include "app/scene/named.h"
+#include "app/scene/names/named.h"
 #include "sim/base/errors.h"
 #include "sim/base/fnv_hash.h"
 

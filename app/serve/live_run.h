@@ -5,7 +5,7 @@
 #include "app/branch/branch.h"
 #include "app/run/open_gpu.h"
 #include "app/scene/scene_file.h"
-#include "app/serve/web_server.h"
+#include "app/serve/web/web_server.h"
 
 namespace knuckle {
 

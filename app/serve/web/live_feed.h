@@ -2,8 +2,8 @@
 
 #include <atomic>
 
-#include "app/serve/inbox.h"
-#include "app/serve/latest.h"
+#include "app/serve/web/inbox.h"
+#include "app/serve/web/latest.h"
 
 namespace knuckle {
 

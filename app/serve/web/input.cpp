@@ -1,4 +1,4 @@
-#include "app/serve/input.h"
+#include "app/serve/web/input.h"
 
 #include <fmt/format.h>
 

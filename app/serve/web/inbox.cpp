@@ -1,4 +1,4 @@
-#include "app/serve/inbox.h"
+#include "app/serve/web/inbox.h"
 
 #include <algorithm>
 #include <utility>

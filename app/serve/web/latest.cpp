@@ -1,4 +1,4 @@
-#include "app/serve/latest.h"
+#include "app/serve/web/latest.h"
 
 #include <utility>
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "app/serve/live_feed.h"
+#include "app/serve/web/live_feed.h"
 
 namespace knuckle {
 

@@ -1,4 +1,4 @@
-#include "app/serve/access.h"
+#include "app/serve/web/access.h"
 
 #include <cstddef>
 

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <vector>
 
-#include "app/serve/input.h"
+#include "app/serve/web/input.h"
 
 namespace knuckle {
 

@@ -1,4 +1,4 @@
-#include "app/serve/web_server.h"
+#include "app/serve/web/web_server.h"
 
 #include <fmt/format.h>
 #include <httplib.h>
@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/json/json.h"
-#include "app/serve/access.h"
-#include "app/serve/bounded_pool.h"
+#include "app/serve/web/access.h"
+#include "app/serve/web/bounded_pool.h"
 #include "sim/base/errors.h"
 
 namespace knuckle {
@@ -50,7 +50,8 @@ bool send(httplib::DataSink& sink, const std::string& bytes)
     return sink.write(bytes.data(), bytes.size());
 }
 
-/// Sends what is newest as long as somebody reads, first what is newer than `after`. @param write puts it in the format of its stream.
+/// Sends what is newest as long as somebody reads, first what is newer than `after`.
+/// @param write puts it in the format of its stream.
 template <typename Write>
 void follow(Response& response, const std::string& type, Latest& latest, std::shared_ptr<void> seat, uint64_t after,
             Write write)

@@ -1,4 +1,4 @@
-#include "app/serve/page.h"
+#include "app/serve/web/page.h"
 
 #include <map>
 #include <string_view>
