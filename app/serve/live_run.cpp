@@ -64,8 +64,10 @@ public:
     }
 
     uint64_t stateHash() { return solver_.stateHash(); }
+    /// @throws RunError for a disk that is full, or a mistake that the driver tells.
     void finish()
     {
+        gpu_->checkErrors();
         if (log_) log_->finish(steps_, solver_.stateHash());
     }
 
@@ -99,9 +101,9 @@ private:
     {
         ++version_;
         switch (input.kind) {
-            case InputKind::Orbit: view_->camera().orbit(input.by); break;
-            case InputKind::Pan: view_->camera().pan(input.by); break;
-            case InputKind::Zoom: view_->camera().zoom(input.factor); break;
+            case InputKind::Orbit: steered().orbit(input.by); break;
+            case InputKind::Pan: steered().pan(input.by); break;
+            case InputKind::Zoom: steered().zoom(input.factor); break;
             case InputKind::Home: view_->goHome(); break;
             case InputKind::Pause: pace_.pause(true); break;
             case InputKind::Run: pace_.pause(false); break;
@@ -119,7 +121,9 @@ private:
         return "{}";
     }
 
-    Picked pick(const Eigen::Vector2f& at) { return hand_->pick(solver_.view(), time(), view_->camera(), at); }
+    FreeCamera& steered() { return view_->steered(solver_.view(), time()); }
+    const FreeCamera& seenFrom() { return view_->seenFrom(solver_.view(), time()); }
+    Picked pick(const Eigen::Vector2f& at) { return hand_->pick(solver_.view(), time(), seenFrom(), at); }
 
     static std::string jsonOf(const Picked& picked)
     {
@@ -142,7 +146,7 @@ private:
     void drag(const Eigen::Vector2f& at)
     {
         if (!hand_->holds()) return;
-        hand_->moveTo(view_->camera().placeAt(at, hand_->depth()));
+        hand_->moveTo(seenFrom().placeAt(at, hand_->depth()));
         dragged_ = Clock::now();
     }
 
@@ -151,7 +155,7 @@ private:
     {
         const Picked picked = pick(input.at);
         if (picked.body == NO_INDEX) return jsonOf(picked);
-        const Eigen::Vector3f away = (picked.place - view_->camera().position()).normalized();
+        const Eigen::Vector3f away = (picked.place - seenFrom().position()).normalized();
         const auto size = input.factor * static_cast<float>(hand_->massOf(picked.body));
         change({.name = picked.name, .impulse = size * away, .at = solver_.readBodies().at(picked.body).position});
         return jsonOf(picked);

@@ -39,17 +39,40 @@ RenderSettings liveSettings(const Scene& scene)
 }
 
 LiveView::LiveView(Gpu& gpu, const Scene& scene, const ParticleView& view)
-    : settings_(liveSettings(scene)), renderer_(gpu, scene.world, settings_)
+    : settings_(liveSettings(scene)), renderer_(gpu, scene.world, settings_), world_(scene.world),
+      home_(freeCamera(view, 0.0)), camera_(home_)
 {
-    renderer_.look(view, 0.0);
+}
+
+FreeCamera LiveView::freeCamera(const ParticleView& view, double time)
+{
+    renderer_.look(view, time);
     const LayerCamera camera = renderer_.camera();
-    home_ = FreeCamera(camera, distanceOf(scene.world, camera), settings_.width, settings_.height);
+    return {camera, distanceOf(world_, camera), settings_.width, settings_.height};
+}
+
+const FreeCamera& LiveView::seenFrom(const ParticleView& view, double time)
+{
+    if (!isSteered_) camera_ = freeCamera(view, time);
+    return camera_;
+}
+
+FreeCamera& LiveView::steered(const ParticleView& view, double time)
+{
+    seenFrom(view, time);
+    isSteered_ = true;
+    return camera_;
+}
+
+void LiveView::goHome()
+{
     camera_ = home_;
+    isSteered_ = true;
 }
 
 std::string LiveView::draw(const ParticleView& view, double time)
 {
-    renderer_.setCamera(camera_.position(), camera_.target());
+    if (isSteered_) renderer_.setCamera(camera_.position(), camera_.target());
     renderer_.draw(view, time);
     return jpegOf(renderer_.readImage(), JPEG_QUALITY);
 }
