@@ -48,6 +48,11 @@ void Renderer::look(const ParticleView& view, double time)
     for (Pane* pane : panesAt(time)) pane->look(view, time);
 }
 
+void Renderer::setCamera(const Eigen::Vector3f& position, const Eigen::Vector3f& target)
+{
+    for (const auto& pane : panes_) pane->setCamera(position, target);
+}
+
 Image Renderer::readImage()
 {
     const Shot& shot = shots_[shotAt(shots_, time_)];

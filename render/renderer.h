@@ -30,6 +30,11 @@ public:
     /// Shows a state to the camera without drawing it: a camera that follows or frames moving things remembers its
     /// place, so that a frame looks the same whether or not earlier ones are drawn.
     void look(const ParticleView& view, double time);
+    /// From now on the cameras of all shots stand there, whatever they did before: cheap, for a camera that a user
+    /// moves. @throws std::logic_error if position and target are nearly equal or not finite.
+    void setCamera(const Eigen::Vector3f& position, const Eigen::Vector3f& target);
+    /// Where the last frame was drawn or looked at from; waits for it.
+    LayerCamera camera() const { return panesAt(time_)[0]->camera(); }
     /// The picture of the last draw(); waits for it. Work dispatched in between runs meanwhile.
     Image readImage();
     /// Stalls until the GPU is done.

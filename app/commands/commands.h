@@ -29,6 +29,7 @@ void addBenchCommand(CommandLine line);
 void addGoldenCommand(CommandLine line);
 void addInfoCommand(CommandLine line);
 void addDoctorCommand(CommandLine line);
+void addServeCommand(CommandLine line);
 void addSchemaCommand(CommandLine line);
 void addCompletionCommand(CommandLine line);
 void addManualCommand(CommandLine line);

@@ -28,6 +28,7 @@ constexpr const char* EXAMPLES =
     "  knuckle render assets/scenes/pile.json -o pile.mp4      a film\n"
     "  knuckle voxelize model.glb -o actor.json --diameter 0.04\n"
     "  knuckle check assets/scenes/*.json\n"
+    "  knuckle serve assets/scenes/pile.json                   live, in a browser: http://127.0.0.1:8080\n"
     "  knuckle doctor                                          what this machine lacks\n"
     "\n"
     "Exit codes:\n"
@@ -70,9 +71,9 @@ int parseAndRun(int argc, char** argv)
     program.get_formatter()->column_width(34);
     addCommonOptions(program, common);
     const CommandLine line{program, common, chosen};
-    for (const auto add :
-         {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addGoldenCommand, addBenchCommand,
-          addInfoCommand, addDoctorCommand, addSchemaCommand, addCompletionCommand, addManualCommand}) {
+    for (const auto add : {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addGoldenCommand,
+                           addBenchCommand, addInfoCommand, addDoctorCommand, addServeCommand, addSchemaCommand,
+                           addCompletionCommand, addManualCommand}) {
         add(line);
     }
     try {

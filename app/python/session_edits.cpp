@@ -1,8 +1,8 @@
 // Changes of a running simulation.
 #include <fmt/format.h>
 
-#include "app/python/named.h"
 #include "app/python/session.h"
+#include "app/scene/names/named.h"
 #include "sim/base/errors.h"
 
 namespace knuckle {

@@ -204,6 +204,18 @@ void Pane::look(const ParticleView& view, double time)
     impl_->aimCamera(time, 0);
 }
 
+void Pane::setCamera(const Vector3f& position, const Vector3f& target)
+{
+    for (Camera& camera : impl_->cameras) camera.stand(position, target);
+    std::ranges::fill(impl_->framed.bits, 0u);
+    std::ranges::fill(impl_->framed.sharp, 0u);
+}
+
+LayerCamera Pane::camera() const
+{
+    return layerCamera(impl_->view.read(), impl_->input.tanHalfFov, impl_->settings.height);
+}
+
 Image Pane::readImage()
 {
     return impl_->reader.last();

@@ -36,6 +36,10 @@ public:
     void draw(const ParticleView& view, double time);
     void expose(const ParticleView& view, double time, uint32_t draw);
     void look(const ParticleView& view, double time);
+    /// All its cameras stand there from now on. @throws as Camera::stand().
+    void setCamera(const Eigen::Vector3f& position, const Eigen::Vector3f& target);
+    /// Of the last look or draw; waits for it.
+    LayerCamera camera() const;
     Image readImage();
     /// At the depth of what the camera aims at; waits for the frame.
     float pixelsPerMetre() const;

@@ -28,7 +28,7 @@ void Pane::Impl::drawLayers(const ParticleView& drawn, double time, bool wanted)
 LayerCamera Pane::lookForLayers(const ParticleView& view, double time)
 {
     impl_->drawLayers(view, time, false);
-    return layerCamera(impl_->view.read(), impl_->input.tanHalfFov, impl_->settings.height);
+    return camera();
 }
 
 Layers Pane::drawLayers(const ParticleView& view, double time)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "render/unseen.h"
@@ -131,6 +132,20 @@ Camera::Camera(const CameraSettings& settings, const World& world, float aspect)
     const Vector3f arm = settings_.position - settings_.target;
     if (settings_.keys.empty() && (!arm.allFinite() || arm.norm() < 1e-6f))
         throw InputError("camera.position: it is the camera's target; move one of them");
+}
+
+void Camera::stand(const Vector3f& position, const Vector3f& target)
+{
+    const Vector3f arm = position - target;
+    if (!arm.allFinite() || arm.norm() < 1e-6f) throw std::logic_error("a camera cannot look at its own place");
+    settings_.position = position;
+    settings_.target = target;
+    settings_.keys.clear();
+    settings_.focused.clear();
+    settings_.shake = {};
+    orbitSpeed_ = 0.0f;
+    mode_ = CAMERA_FIXED;
+    followed_ = {};
 }
 
 CameraAim Camera::at(double time) const

@@ -42,6 +42,9 @@ public:
 
     /// @param time of the film [s].
     CameraAim at(double time) const;
+    /// From now on it stands there and does nothing else; its field of view, roll and lens stay.
+    /// @throws std::logic_error if position and target are nearly equal or not finite.
+    void stand(const Vector3f& position, const Vector3f& target);
     /// CAMERA_FIXED, ...
     uint32_t mode() const { return mode_; }
     /// CAMERA_FOLLOWS: the object's bodies.

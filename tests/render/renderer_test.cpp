@@ -52,6 +52,25 @@ TEST(Renderer, HandsOutEachFinishedPictureOnce)
     EXPECT_NE(renderer.readImage().rgb, first.rgb);
 }
 
+TEST(Renderer, StandsWhereItIsTold)
+{
+    const Eigen::Vector3f place(2, 1, 3), target(0, 0.5f, 0);
+    RenderSettings there = tiny(), orbiting = tiny();
+    there.camera.automatic = false;
+    there.camera.position = place;
+    there.camera.target = target;
+    orbiting.camera.kind = CameraKind::Orbit;
+    const World world = twoCubes();
+    const StillBuffers buffers(world);
+    Renderer renderer(sharedGpu(), world, orbiting);
+    renderer.draw(buffers.view(), 0.0);
+    renderer.setCamera(place, target);
+    renderer.draw(buffers.view(), 1.0);
+    EXPECT_EQ(renderer.readImage().rgb, drawn(world, there).rgb);
+    EXPECT_LT((renderer.camera().toWorld.translation().cast<float>() - place).norm(), 1e-5f);
+    EXPECT_THROW(renderer.setCamera(place, place), std::logic_error);
+}
+
 TEST(Renderer, DrawsOddSizesAndNoParticlesAtAll)
 {
     StillWorld still(0.1f);

@@ -1,4 +1,4 @@
-#include "app/python/named.h"
+#include "app/scene/names/named.h"
 
 #include <fmt/format.h>
 

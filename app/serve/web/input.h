@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace knuckle {
+
+/// What a viewer can ask for.
+enum class InputKind : uint32_t {
+    Orbit,
+    Pan,
+    Zoom,
+    Home,
+    Pause,
+    Run,
+    Step,
+    Reset,
+    Speed,
+    Pick,
+    Grab,
+    Drag,
+    Drop,
+    Throw,
+    Push,
+    Release
+};
+
+/// One wish of a viewer.
+struct Input {
+    static constexpr std::array<const char*, 16> WORDS{"orbit", "pan",   "zoom",  "home",   "pause", "run",
+                                                       "step",  "reset", "speed", "pick",   "grab",  "drag",
+                                                       "drop",  "throw", "push",  "release"};
+
+    InputKind kind = InputKind::Pause;
+    Eigen::Vector2f by{0, 0};  ///< Orbit: to the right and up [rad]. Pan: of the picture's height.
+    float factor =
+        1.0f;  ///< Zoom: of the distance, 0.1 ... 10. Speed: simulated seconds a second, 0.1 ... 1. Throw: the
+               ///< speed that it gets, away from the camera [m/s], 0.1 ... 50.
+    uint32_t count = 1;        ///< Step: 1 ... 1000.
+    Eigen::Vector2f at{0, 0};  ///< Pick, Grab, Drag, Throw: from the upper left corner, in shares of the picture.
+    std::string name = {};     ///< Push, Release: of a body; Release: of an object, too.
+    Eigen::Vector3f impulse{0, 0, 0};                        ///< Push [N s].
+    std::optional<Eigen::Vector3f> place = {};               ///< Push: where [m]; none: at the mass centre.
+    std::shared_ptr<std::promise<std::string>> answer = {};  ///< Pick, Grab, Throw: gets JSON.
+
+    bool wantsAnswer() const { return kind == InputKind::Pick || kind == InputKind::Grab || kind == InputKind::Throw; }
+};
+
+/// Reads {"do": "orbit", "by": [0.1, 0]} and the like. @throws InputError, one line.
+Input parseInput(const std::string& text);
+
+}  // namespace knuckle

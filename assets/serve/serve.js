@@ -1,0 +1,160 @@
+const $ = id => document.getElementById(id);
+const query = location.search;   // has the token, if there is one
+const picture = $("picture"), message = $("message");
+let now = { paused: false, speed: 1 };
+
+function tell(text) {
+  message.textContent = text;
+}
+
+// Answers with the JSON that came back, or null.
+async function send(wish) {
+  try {
+    const answer = await fetch("input" + query, { method: "POST", body: JSON.stringify(wish) });
+    if (answer.ok) return await answer.json();
+    if (answer.status !== 429) tell((await answer.text()).trim());
+  } catch {
+    tell("the program does not answer");
+  }
+  return null;
+}
+
+// One wish of a kind is on its way at a time; what comes meanwhile is added up.
+const waiting = new Map();
+function sendSum(kind, add) {
+  const held = waiting.get(kind);
+  if (held) { held.next = held.next ? add(held.next) : add(null); return; }
+  const entry = { next: null };
+  waiting.set(kind, entry);
+  send(add(null)).then(() => {
+    waiting.delete(kind);
+    if (entry.next) sendSum(kind, () => entry.next);
+  });
+}
+const move = (kind, x, y) => sendSum(kind, sum => ({ do: kind, by: sum ? [sum.by[0] + x, sum.by[1] + y] : [x, y] }));
+const zoom = factor => sendSum("zoom", sum => ({ do: "zoom", factor: Math.min(10, Math.max(0.1, (sum ? sum.factor : 1) * factor)) }));
+
+// The part of the element that the picture fills.
+function shown() {
+  const box = picture.getBoundingClientRect();
+  const scale = Math.min(box.width / (picture.naturalWidth || 16), box.height / (picture.naturalHeight || 9));
+  const width = scale * (picture.naturalWidth || 16), height = scale * (picture.naturalHeight || 9);
+  return { left: box.left + (box.width - width) / 2, top: box.top + (box.height - height) / 2, width, height };
+}
+
+// Where an event is, in shares of the picture.
+function placeOf(event) {
+  const box = shown(), share = (value, size) => Math.min(1, Math.max(0, value / size));
+  return [share(event.clientX - box.left, box.width), share(event.clientY - box.top, box.height)];
+}
+
+let chosen = "";
+function choose(found) {
+  if (!found) return;
+  if (found.message) return tell(found.message);
+  chosen = found.name;
+  $("chosen").hidden = !chosen;
+  $("chosen-name").textContent = chosen;
+  tell(chosen ? "" : "nothing that has a name");
+}
+const letGo = () => chosen && send({ do: "release", name: chosen });
+
+// A drag turns or moves the camera, with Ctrl it pulls what is under the mouse; without moving it is a click.
+let drag = null, held = null;
+picture.addEventListener("pointerdown", event => {
+  if (event.button > 1) return;
+  picture.setPointerCapture(event.pointerId);
+  picture.classList.add("dragging");
+  drag = { x: event.clientX, y: event.clientY, moved: 0, pulls: event.ctrlKey || event.metaKey };
+  if (drag.pulls) {
+    held = placeOf(event);
+    send({ do: "grab", at: held }).then(choose);
+  }
+});
+picture.addEventListener("pointermove", event => {
+  if (!drag) return;
+  const height = shown().height, x = (event.clientX - drag.x) / height, y = (drag.y - event.clientY) / height;
+  drag.x = event.clientX;
+  drag.y = event.clientY;
+  drag.moved += Math.hypot(x, y);
+  if (drag.pulls) {
+    held = placeOf(event);
+    sendSum("drag", () => ({ do: "drag", at: held }));
+  } else if (event.shiftKey || event.buttons === 4) move("pan", x, y);
+  else move("orbit", 3 * x, 3 * y);
+});
+for (const end of ["pointerup", "pointercancel"])
+  picture.addEventListener(end, event => {
+    if (!drag) return;
+    if (drag.pulls) send({ do: "drop" });
+    else if (end === "pointerup" && drag.moved < 0.01) send({ do: "pick", at: placeOf(event) }).then(choose);
+    drag = held = null;
+    picture.classList.remove("dragging");
+  });
+// Who holds still holds on.
+setInterval(() => { if (held) sendSum("drag", () => ({ do: "drag", at: held })); }, 1000);
+picture.addEventListener("dblclick", event => send({ do: "throw", at: placeOf(event), speed: 5 }).then(choose));
+picture.addEventListener("contextmenu", event => event.preventDefault());
+picture.addEventListener("wheel", event => {
+  event.preventDefault();
+  zoom(Math.exp(Math.min(1, Math.max(-1, event.deltaY / 500))));
+}, { passive: false });
+
+function setSpeed(speed) {
+  now.speed = Math.round(10 * Math.min(1, Math.max(0.1, speed))) / 10;
+  showSpeed();
+  send({ do: "speed", factor: now.speed });
+}
+function showSpeed() {
+  $("speed").value = now.speed;
+  $("speed-text").textContent = now.speed.toFixed(1);
+}
+const toggle = () => send({ do: now.paused ? "run" : "pause" });
+
+$("run").onclick = toggle;
+$("one").onclick = () => send({ do: "step" });
+$("reset").onclick = () => send({ do: "reset" });
+$("release").onclick = letGo;
+$("home").onclick = () => send({ do: "home" });
+$("speed").oninput = () => setSpeed(Number($("speed").value));
+$("help-button").onclick = () => $("help").showModal();
+
+const keys = {
+  " ": toggle, s: () => send({ do: "step" }), r: () => send({ do: "reset" }), h: () => send({ do: "home" }),
+  l: letGo,
+  "[": () => setSpeed(now.speed - 0.1), "]": () => setSpeed(now.speed + 0.1), "?": () => $("help").showModal(),
+  "+": () => zoom(0.9), "-": () => zoom(1 / 0.9),
+  ArrowLeft: () => move("orbit", -0.1, 0), ArrowRight: () => move("orbit", 0.1, 0),
+  ArrowUp: () => move("orbit", 0, 0.1), ArrowDown: () => move("orbit", 0, -0.1),
+};
+document.addEventListener("keydown", event => {
+  const key = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+  const isControl = event.target.closest("input, dialog") || (event.key === " " && event.target.closest("button"));
+  if (!key || isControl || event.ctrlKey || event.metaKey || event.altKey) return;
+  event.preventDefault();
+  key();
+});
+
+function show(figures) {
+  now = figures;
+  if (figures.message) tell(figures.message);
+  $("step").textContent = figures.step;
+  $("time").textContent = figures.time.toFixed(2) + " s";
+  $("step-time").textContent = figures.stepMilliseconds.toFixed(1) + " ms";
+  $("draw-time").textContent = figures.drawMilliseconds.toFixed(0) + " ms";
+  $("max-speed").textContent = figures.maxSpeed.toFixed(2) + " m/s";
+  $("energy").textContent = figures.energy.toPrecision(3) + " J";
+  for (const name of ["contacts", "particles", "viewers"]) $(name).textContent = figures[name];
+  $("run").textContent = figures.paused ? "run" : "pause";
+  if (document.activeElement !== $("speed")) showSpeed();
+}
+
+const events = new EventSource("events" + query);
+events.onopen = () => tell("");
+events.onmessage = event => { show(JSON.parse(event.data)); };
+events.onerror = () => tell("no connection to the program");
+
+// A picture that breaks off is asked for again.
+const watch = () => { picture.src = "stream" + (query ? query + "&" : "?") + "again=" + Date.now(); };
+picture.onerror = () => setTimeout(watch, 1000);
+watch();
