@@ -61,8 +61,9 @@ TEST(Renderer, StandsWhereItIsTold)
     there.camera.target = target;
     orbiting.camera.kind = CameraKind::Orbit;
     const World world = twoCubes();
+    Gpu& gpu = sharedGpu();
     const StillBuffers buffers(world);
-    Renderer renderer(sharedGpu(), world, orbiting);
+    Renderer renderer(gpu, world, orbiting);
     renderer.draw(buffers.view(), 0.0);
     renderer.setCamera(place, target);
     renderer.draw(buffers.view(), 1.0);
