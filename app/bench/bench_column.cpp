@@ -81,16 +81,9 @@ int benchColumn(const BenchOptions& options, const std::vector<Preset>& presets,
                    options.name == "dam" ? "water" : "sand", gpu->device().name, options.steps,
                    std::min(SETTLED_STEPS, options.steps));
     }
-    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
-    for (const uint32_t blockCount : options.objects)
-        for (const Preset& preset : presets) {
-            const ColumnRun run = runOnce(*gpu, blockCount, preset, options);
-            if (options.json) runs.push_back(toJson(run));
-            else printRow(run);
-        }
-    const uint32_t settled = std::min(SETTLED_STEPS, options.steps);
-    if (options.json) fmt::print("{}\n", runsToJson(options, *gpu, settled, std::move(runs)).dump(2));
-    return EXIT_FINE;
+    return reportRuns(
+        options, presets, *gpu, std::min(SETTLED_STEPS, options.steps),
+        [&](uint32_t blockCount, const Preset& preset) { return runOnce(*gpu, blockCount, preset, options); });
 }
 
 }  // namespace knuckle

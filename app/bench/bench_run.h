@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -62,6 +64,23 @@ nlohmann::ordered_json measuresToJson(const Measures& measures, float diameter);
 /// that count as settled.
 nlohmann::ordered_json runsToJson(const BenchOptions& options, const Gpu& gpu, uint32_t settled,
                                   nlohmann::ordered_json runs);
+
+/// Runs each world with each preset, and prints a row for each, or at the end all as JSON. @returns the exit code.
+/// @param settled as of runsToJson(). @param runOnce (objects, preset) -> a run, which printRow() and toJson() take.
+template <typename RunOnce>
+int reportRuns(const BenchOptions& options, const std::vector<Preset>& presets, const Gpu& gpu, uint32_t settled,
+               RunOnce runOnce)
+{
+    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+    for (const uint32_t objectCount : options.objects)
+        for (const Preset& preset : presets) {
+            const auto run = runOnce(objectCount, preset);
+            if (options.json) runs.push_back(toJson(run));
+            else printRow(run);
+        }
+    if (options.json) fmt::print("{}\n", runsToJson(options, gpu, settled, std::move(runs)).dump(2));
+    return EXIT_FINE;
+}
 
 /// `bench table2`. @returns the exit code.
 int benchTable2(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common);

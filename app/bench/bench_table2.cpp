@@ -114,7 +114,6 @@ Workload benchWorkload(const BenchOptions& options, const std::vector<Preset>& p
 int benchTable2(const BenchOptions& options, const std::vector<Preset>& presets, const CommonOptions& common)
 {
     const auto gpu = openGpu(common, FrameWork{benchWorkload(options, presets), {}});
-    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
     if (!options.json) {
         fmt::print("Table 2 on {}: {} steps of 1/60 s; steps/s of all, of the last {}, and drawn at 1280x720;\n"
                    "beside them the paper's frames/s; penetration and joint gap in % of a diameter; the fastest\n"
@@ -123,16 +122,10 @@ int benchTable2(const BenchOptions& options, const std::vector<Preset>& presets,
                    "mean gap  worst  speed\n",
                    gpu->device().name, options.steps, SETTLED_STEPS);
     }
-    for (uint32_t objectCount : options.objects) {
-        for (const auto& [preset, settings] : presets) {
-            const BenchRun run = runOnce(*gpu, objectCount, preset, options, settings);
-            if (options.json) runs.push_back(toJson(run));
-            else printRow(run);
-        }
-    }
-    const uint32_t settled = std::min(SETTLED_STEPS, options.steps);
-    if (options.json) fmt::print("{}\n", runsToJson(options, *gpu, settled, std::move(runs)).dump(2));
-    return EXIT_FINE;
+    return reportRuns(options, presets, *gpu, std::min(SETTLED_STEPS, options.steps),
+                      [&](uint32_t objectCount, const Preset& preset) {
+                          return runOnce(*gpu, objectCount, preset.first, options, preset.second);
+                      });
 }
 
 }  // namespace knuckle

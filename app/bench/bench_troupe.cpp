@@ -94,15 +94,9 @@ int benchTroupe(const BenchOptions& options, const std::vector<Preset>& presets,
                    "worst  speed\n",
                    gpu->device().name, options.steps, settled);
     }
-    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
-    for (const uint32_t actorCount : options.objects)
-        for (const Preset& preset : presets) {
-            const TroupeRun run = runOnce(*gpu, actorCount, preset, options);
-            if (options.json) runs.push_back(toJson(run));
-            else printRow(run);
-        }
-    if (options.json) fmt::print("{}\n", runsToJson(options, *gpu, settled, std::move(runs)).dump(2));
-    return EXIT_FINE;
+    return reportRuns(options, presets, *gpu, settled, [&](uint32_t actorCount, const Preset& preset) {
+        return runOnce(*gpu, actorCount, preset, options);
+    });
 }
 
 }  // namespace knuckle

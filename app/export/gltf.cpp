@@ -95,12 +95,7 @@ void addParticles(Rig& rig, const World& world, const std::vector<uint32_t>& col
         for (int side = 0; side < 6; ++side) {
             Vector3f offset = Vector3f::Zero();
             offset[side / 2] = side % 2 == 0 ? radius : -radius;
-            SkinWeights skin;
-            skin.bones[0] = bone->second;
-            skin.weights[0] = 1.0f;
-            rig.model.vertices.push_back(particle.restPosition + offset);
-            rig.model.skin.push_back(skin);
-            rig.model.surface.vertices.push_back({offset / radius, {0, 0}, unpackColor(colors[i])});
+            addRigidVertex(rig, bone->second, particle.restPosition + offset, offset / radius, unpackColor(colors[i]));
         }
         // Corners +x -x +y -y +z -z; counter-clockwise from outside if an even number of signs is negative.
         for (uint32_t octant = 0; octant < 8; ++octant) {

@@ -86,4 +86,14 @@ Eigen::Isometry3f motionOf(const Body& body, const BodyState& state)
     return Eigen::Translation3f(state.position) * state.rotation * Eigen::Translation3f(-body.restCentre);
 }
 
+void addRigidVertex(Rig& rig, uint32_t bone, const Vector3f& place, const Vector3f& normal, const Vector3f& color)
+{
+    SkinWeights skin;
+    skin.bones[0] = bone;
+    skin.weights[0] = 1.0f;
+    rig.model.vertices.push_back(place);
+    rig.model.skin.push_back(skin);
+    rig.model.surface.vertices.push_back({normal, {0, 0}, color});
+}
+
 }  // namespace knuckle

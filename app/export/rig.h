@@ -22,6 +22,9 @@ struct Rig {
 /// @param surface whether their meshes and textures are needed. @throws InputError as importModel().
 std::vector<Rig> rigsOf(const Scene& scene, bool surface);
 
+/// Adds a vertex that one bone alone moves. @param normal unit. @param color linear.
+void addRigidVertex(Rig& rig, uint32_t bone, const Vector3f& place, const Vector3f& normal, const Vector3f& color);
+
 /// The motion of a body from its object's rest pose.
 Eigen::Isometry3f motionOf(const Body& body, const BodyState& state);
 

@@ -31,12 +31,7 @@ void addVertex(Rig& rig, const BodyShape& shape, uint32_t bone, const Vector3f& 
 {
     const Vector3f way = Vector3f(c[0].value, c[1].value, c[2].value).normalized();
     const Vector3f corner = shape.halfSides.cwiseProduct(Vector3f(c[0].side, c[1].side, c[2].side));
-    SkinWeights skin;
-    skin.bones[0] = bone;
-    skin.weights[0] = 1.0f;
-    rig.model.vertices.push_back(shape.middle + corner + shape.radius * way);
-    rig.model.skin.push_back(skin);
-    rig.model.surface.vertices.push_back({way, {0, 0}, color});
+    addRigidVertex(rig, bone, shape.middle + corner + shape.radius * way, way, color);
 }
 
 }  // namespace

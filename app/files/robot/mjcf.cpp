@@ -1,31 +1,25 @@
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "app/files/robot/robot.h"
+#include "app/report/markup.h"
 
 namespace knuckle {
 
 namespace {
-
-std::string words(const Vector3f& v)
-{
-    return fmt::format("{:.6g} {:.6g} {:.6g}", v.x(), v.y(), v.z());
-}
 
 std::string jointOf(const RobotTurn& turn)
 {
     const std::string range = turn.range.bounded()
                                   ? fmt::format(" range=\"{:.6g} {:.6g}\"", turn.range.lowest, turn.range.highest)
                                   : "";
-    return fmt::format("<joint name=\"{}\" type=\"hinge\" axis=\"{}\" limited=\"{}\"{}/>", quoted(turn.name),
-                       words(turn.axis), turn.range.bounded(), range);
+    return fmt::format("<joint name=\"{}\" type=\"hinge\" axis=\"{}\" limited=\"{}\"{}/>", escapedMarkup(turn.name),
+                       numbersOf(turn.axis), turn.range.bounded(), range);
 }
 
 std::string jointsOf(const RobotLink& link, const std::string& indent)
 {
     if (link.parent < 0) return indent + "<freejoint/>\n";
-    if (link.isBall) return fmt::format("{}<joint name=\"{}\" type=\"ball\"/>\n", indent, quoted(link.name));
+    if (link.isBall) return fmt::format("{}<joint name=\"{}\" type=\"ball\"/>\n", indent, escapedMarkup(link.name));
     std::string text;
     for (const RobotTurn& turn : link.turns) text += indent + jointOf(turn) + "\n";
     return text;
@@ -35,9 +29,9 @@ std::string geomOf(const RobotLink& link)
 {
     const Vector3f one = link.ends[0] - link.origin, other = link.ends[1] - link.origin;
     if ((other - one).norm() < 1e-4f)
-        return fmt::format("<geom type=\"sphere\" pos=\"{}\" size=\"{:.6g}\"/>", words(0.5f * (one + other)),
+        return fmt::format("<geom type=\"sphere\" pos=\"{}\" size=\"{:.6g}\"/>", numbersOf(0.5f * (one + other)),
                            link.radius);
-    return fmt::format("<geom type=\"capsule\" fromto=\"{} {}\" size=\"{:.6g}\"/>", words(one), words(other),
+    return fmt::format("<geom type=\"capsule\" fromto=\"{} {}\" size=\"{:.6g}\"/>", numbersOf(one), numbersOf(other),
                        link.radius);
 }
 
@@ -47,11 +41,11 @@ std::string bodyOf(const Robot& robot, uint32_t index, const std::string& indent
     const Eigen::Matrix3f& i = link.inertia;
     const Vector3f from = link.parent < 0 ? Vector3f(0, 0, 0) : robot.links[static_cast<size_t>(link.parent)].origin;
     const std::string within = indent + "  ";
-    std::string text = fmt::format("{}<body name=\"{}\" pos=\"{}\">\n", indent, quoted(link.name),
-                                   words(link.origin - from));
+    std::string text = fmt::format("{}<body name=\"{}\" pos=\"{}\">\n", indent, escapedMarkup(link.name),
+                                   numbersOf(link.origin - from));
     text += fmt::format(
         "{}<inertial pos=\"{}\" mass=\"{:.6g}\" fullinertia=\"{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\"/>\n", within,
-        words(link.centre - link.origin), link.mass, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2));
+        numbersOf(link.centre - link.origin), link.mass, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2));
     text += jointsOf(link, within) + within + geomOf(link) + "\n";
     for (uint32_t k = 0; k < robot.links.size(); ++k)
         if (robot.links[k].parent == static_cast<int32_t>(index)) text += bodyOf(robot, k, within);
@@ -64,13 +58,13 @@ std::string mjcfOf(const Robot& robot)
 {
     std::string text = fmt::format(
         "<mujoco model=\"{}\">\n  <compiler angle=\"radian\" autolimits=\"false\"/>\n  <worldbody>\n",
-        quoted(robot.name));
+        escapedMarkup(robot.name));
     for (uint32_t k = 0; k < robot.links.size(); ++k)
         if (robot.links[k].parent < 0) text += bodyOf(robot, k, "    ");
     text += "  </worldbody>\n  <contact>\n";
     for (const auto& [one, other] : robot.apart)
-        text += fmt::format("    <exclude body1=\"{}\" body2=\"{}\"/>\n", quoted(robot.links[one].name),
-                            quoted(robot.links[other].name));
+        text += fmt::format("    <exclude body1=\"{}\" body2=\"{}\"/>\n", escapedMarkup(robot.links[one].name),
+                            escapedMarkup(robot.links[other].name));
     return text + "  </contact>\n</mujoco>\n";
 }
 

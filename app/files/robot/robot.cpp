@@ -1,5 +1,7 @@
 #include "app/files/robot/robot.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -128,16 +130,9 @@ Robot robotOf(const Actor& actor, float density)
     return robot;
 }
 
-std::string quoted(const std::string& text)
+std::string numbersOf(const Vector3f& v)
 {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&') out += "&amp;";
-        else if (c == '<') out += "&lt;";
-        else if (c == '"') out += "&quot;";
-        else out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-    }
-    return out;
+    return fmt::format("{:.6g} {:.6g} {:.6g}", v.x(), v.y(), v.z());
 }
 
 }  // namespace knuckle

@@ -47,7 +47,7 @@ std::string urdfOf(const Robot& robot);
 /// MuJoCo's XML.
 std::string mjcfOf(const Robot& robot);
 
-/// Text within quotes of XML.
-std::string quoted(const std::string& text);
+/// As both formats have them.
+std::string numbersOf(const Vector3f& v);
 
 }  // namespace knuckle

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/files/robot/robot.h"
+#include "app/report/markup.h"
 
 namespace knuckle {
 
@@ -13,18 +14,13 @@ constexpr float BETWEEN_MASS = 1e-3f, BETWEEN_INERTIA = 1e-6f;
 /// Beyond what any figure needs: the format wants both [N m], [rad/s].
 constexpr float EFFORT = 1000.0f, VELOCITY = 100.0f;
 
-std::string words(const Vector3f& v)
-{
-    return fmt::format("{:.6g} {:.6g} {:.6g}", v.x(), v.y(), v.z());
-}
-
 std::string inertial(float mass, const Vector3f& centre, const Eigen::Matrix3f& i)
 {
     return fmt::format(
         "    <inertial>\n      <origin xyz=\"{}\" rpy=\"0 0 0\"/>\n      <mass value=\"{:.6g}\"/>\n"
         "      <inertia ixx=\"{:.6g}\" ixy=\"{:.6g}\" ixz=\"{:.6g}\" iyy=\"{:.6g}\" iyz=\"{:.6g}\" izz=\"{:.6g}\"/>\n"
         "    </inertial>\n",
-        words(centre), mass, i(0, 0), i(0, 1), i(0, 2), i(1, 1), i(1, 2), i(2, 2));
+        numbersOf(centre), mass, i(0, 0), i(0, 1), i(0, 2), i(1, 1), i(1, 2), i(2, 2));
 }
 
 /// Angles that turn +Z along a direction: about x first, then about the fixed y.
@@ -40,7 +36,7 @@ std::string shape(const RobotLink& link, const char* kind)
     const auto add = [&](const Vector3f& place, const std::string& turn, const std::string& geometry) {
         text += fmt::format(
             "    <{0}>\n      <origin xyz=\"{1}\" rpy=\"{2}\"/>\n      <geometry>{3}</geometry>\n    </{0}>\n", kind,
-            words(place - link.origin), turn, geometry);
+            numbersOf(place - link.origin), turn, geometry);
     };
     const Vector3f along = link.ends[1] - link.ends[0];
     const std::string ball = fmt::format("<sphere radius=\"{:.6g}\"/>", link.radius);
@@ -59,12 +55,12 @@ std::string joint(const std::string& name, const std::string& parent, const std:
     std::string text = fmt::format(
         "  <joint name=\"{}\" type=\"{}\">\n    <parent link=\"{}\"/>\n    <child link=\"{}\"/>\n"
         "    <origin xyz=\"{}\" rpy=\"0 0 0\"/>\n",
-        quoted(name),
+        escapedMarkup(name),
         turn == nullptr ? "fixed"
         : isBounded     ? "revolute"
                         : "continuous",
-        quoted(parent), quoted(child), words(place));
-    if (turn != nullptr) text += fmt::format("    <axis xyz=\"{}\"/>\n", words(turn->axis));
+        escapedMarkup(parent), escapedMarkup(child), numbersOf(place));
+    if (turn != nullptr) text += fmt::format("    <axis xyz=\"{}\"/>\n", numbersOf(turn->axis));
     if (isBounded)
         text += fmt::format("    <limit lower=\"{:.6g}\" upper=\"{:.6g}\" effort=\"{:g}\" velocity=\"{:g}\"/>\n",
                             turn->range.lowest, turn->range.highest, EFFORT, VELOCITY);
@@ -81,7 +77,7 @@ std::string joints(const RobotLink& link, const RobotLink& parent)
         const bool isLast = k + 1 == link.turns.size();
         const std::string to = isLast ? link.name : fmt::format("{}_between_{}", link.name, k + 1);
         if (!isLast)
-            text += fmt::format("  <link name=\"{}\">\n{}  </link>\n", quoted(to),
+            text += fmt::format("  <link name=\"{}\">\n{}  </link>\n", escapedMarkup(to),
                                 inertial(BETWEEN_MASS, {0, 0, 0}, BETWEEN_INERTIA * Eigen::Matrix3f::Identity()));
         text += joint(link.turns[k].name, from, to, k == 0 ? place : Vector3f(0, 0, 0), &link.turns[k]);
         from = to;
@@ -93,9 +89,9 @@ std::string joints(const RobotLink& link, const RobotLink& parent)
 
 std::string urdfOf(const Robot& robot)
 {
-    std::string text = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", quoted(robot.name));
+    std::string text = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", escapedMarkup(robot.name));
     for (const RobotLink& link : robot.links) {
-        text += fmt::format("  <link name=\"{}\">\n{}{}{}  </link>\n", quoted(link.name),
+        text += fmt::format("  <link name=\"{}\">\n{}{}{}  </link>\n", escapedMarkup(link.name),
                             inertial(link.mass, link.centre - link.origin, link.inertia), shape(link, "visual"),
                             shape(link, "collision"));
         if (link.parent >= 0) text += joints(link, robot.links[static_cast<size_t>(link.parent)]);
