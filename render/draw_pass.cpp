@@ -19,13 +19,27 @@ void cull(GLenum faces)
     if (faces != GL_NONE) glCullFace(faces);
 }
 
+/// Every pass may ask for the frame and its view.
+std::vector<std::string> withFrame(std::vector<std::string> reads)
+{
+    reads.insert(reads.end(), {"frame", "view"});
+    return reads;
+}
+
+/// How fragments read the frame (render/common/flat/flat_frame.glsl).
+Defines withFlatFrame(const Gpu& gpu, Defines defines)
+{
+    if (gpu.device().software) defines.push_back({"FLAT_FRAME", "1"});
+    return defines;
+}
+
 }  // namespace
 
 DrawPass::DrawPass(const Gpu& gpu, const BufferTable& table, const DrawShaders& shaders,
                    const std::vector<std::string>& reads, const Framebuffer& target, GLenum culled)
     : program_(Program::graphics(gpu, "render/" + shaders.vertex + ".vert", "render/" + shaders.fragment + ".frag",
-                                 shaders.defines)),
-      bindings_(program_, table.only(reads, "pass " + name()), "pass " + name()),
+                                 withFlatFrame(gpu, shaders.defines))),
+      bindings_(program_, table.only(withFrame(reads), "pass " + name()), "pass " + name()),
       noAttributes_(VertexArrayHandle::make()), target_(&target), culled_(culled)
 {
 }

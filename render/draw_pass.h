@@ -26,7 +26,8 @@ struct IndexedDraws {
 class DrawPass {
 public:
     DrawPass() = default;
-    /// @param reads names in the table that the shaders may declare.
+    /// @param table must have "frame" and "view", which all shaders may declare.
+    /// @param reads what else of it they may declare.
     /// @param target must outlive the pass. If it has a depth buffer, the depth test is on.
     /// @param culled GL_FRONT or GL_BACK, the faces that are not drawn.
     /// @throws DeviceError naming the pass and what it declares beyond that, or what the table lacks.

@@ -39,26 +39,24 @@ ColliderPass::ColliderPass(const Gpu& gpu, BufferTable& table, const World& worl
                                                [](const Collider& c) { return c.floor != FloorLook::Default; });
     const Defines floors = haveLooks ? Defines{{"FLOORS", "1"}} : Defines{};
     planePass_ = DrawPass(gpu, table, {"colliders/plane", "colliders/plane", joined({floors, targets.layerDefines()})},
-                          {"frame", "view", "colliderPlaces", "colliderPlanes"}, targets.geometry);
+                          {"colliderPlaces", "colliderPlanes"}, targets.geometry);
     // Draws the far sides of the boxes: they are visible even when the eye is inside.
     shapePass_ = DrawPass(gpu, table,
                           {"colliders/collider", "colliders/collider",
                            joined({Finishes(world).patternDefines(), targets.layerDefines()})},
-                          {"frame", "view", "colliderPlaces", "colliderShapes", "finishes"}, targets.geometry,
-                          GL_FRONT);
+                          {"colliderPlaces", "colliderShapes", "finishes"}, targets.geometry, GL_FRONT);
     shapeShadow_ = DrawPass(gpu, table, {"colliders/collider", "colliders/collider_shadow", {{"LIGHT_VIEW", "1"}}},
-                            {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.shadowMap, GL_FRONT);
+                            {"colliderPlaces", "colliderShapes"}, targets.shadowMap, GL_FRONT);
     if (!hasGlass()) return;
     const Defines last = {{"FIRST_SHAPE", std::to_string(opaqueCount_)}, {"GLASS", "1"}};
-    glass_ = SidedPass(
-        gpu, table,
-        {"colliders/collider", "colliders/collider_glass",
-         joined({last, displayDefines(settings), skyDefines(settings)})},
-        {"frame", "view", "colliderPlaces", "colliderShapes", "litPicture", "depthPicture", "skyPicture", "skyBlurs"},
-        targets.glass, targets, GL_FRONT);
+    glass_ = SidedPass(gpu, table,
+                       {"colliders/collider", "colliders/collider_glass",
+                        joined({last, displayDefines(settings), skyDefines(settings)})},
+                       {"colliderPlaces", "colliderShapes", "litPicture", "depthPicture", "skyPicture", "skyBlurs"},
+                       targets.glass, targets, GL_FRONT);
     glassShadow_ = DrawPass(gpu, table,
                             {"colliders/collider", "colliders/collider_shadow", joined({last, {{"LIGHT_VIEW", "1"}}})},
-                            {"frame", "view", "colliderPlaces", "colliderShapes"}, targets.shadowMap, GL_FRONT);
+                            {"colliderPlaces", "colliderShapes"}, targets.shadowMap, GL_FRONT);
 }
 
 void ColliderPass::upload(const World& world, const SceneExtent& extent, bool seesThrough)

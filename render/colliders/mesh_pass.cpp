@@ -62,9 +62,9 @@ MeshPass::MeshPass(const Gpu& gpu, BufferTable& table, const World& world, const
     meshes_ = DrawPass(gpu, table,
                        {"colliders/collider_mesh", "colliders/collider_mesh",
                         joined({finishes.patternDefines(), targets.layerDefines()})},
-                       {"frame", "view", "colliderPlaces", "meshCorners", "meshColors", "finishes"}, targets.geometry);
+                       {"colliderPlaces", "meshCorners", "meshColors", "finishes"}, targets.geometry);
     shadow_ = DrawPass(gpu, table, {"colliders/collider_mesh", "colliders/collider_mesh_shadow", {{"LIGHT_VIEW", "1"}}},
-                       {"frame", "view", "colliderPlaces", "meshCorners", "meshColors"}, targets.shadowMap);
+                       {"colliderPlaces", "meshCorners", "meshColors"}, targets.shadowMap);
 }
 
 }  // namespace knuckle

@@ -23,30 +23,29 @@ FluidPass::FluidPass(const Gpu& gpu, BufferTable& table, const World& world, con
     if (empty()) return;
     underwater_.emplace(gpu, table, count_, settings, targets);
     const auto front = [&](const char* vertex) {
-        return DrawPass(gpu, table, {vertex, "fluids/fluid_front", joined({outside(), targets.layerDefines()})},
-                        {"frame", "view", "sphereList", "sphereScales", "sphereColors", "positions", "fluidMaterials",
-                         "fluidForms", "submersion"},
-                        targets.fluidFront);
+        return DrawPass(
+            gpu, table, {vertex, "fluids/fluid_front", joined({outside(), targets.layerDefines()})},
+            {"sphereList", "sphereScales", "sphereColors", "positions", "fluidMaterials", "fluidForms", "submersion"},
+            targets.fluidFront);
     };
     points_ = front("spheres/sphere");
     quads_ = front("spheres/sphere_quad");
     const Defines map = {{"SHADOW_TEXELS", std::to_string(FLUID_SHADOW_SIZE) + ".0"}};
-    shadow_ = DrawPass(
-        gpu, table, {"spheres/sphere_shadow", "spheres/sphere_shadow", joined({{{"SURFACE", "1"}}, map})},
-        {"frame", "view", "sphereList", "sphereScales", "positions", "fluidMaterials"}, targets.fluidShadowMap);
-    bends_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", map},
-                      {"frame", "view", "fluidShadowPicture"}, targets.fluidBends);
+    shadow_ = DrawPass(gpu, table,
+                       {"spheres/sphere_shadow", "spheres/sphere_shadow", joined({{{"SURFACE", "1"}}, map})},
+                       {"sphereList", "sphereScales", "positions", "fluidMaterials"}, targets.fluidShadowMap);
+    bends_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", map}, {"fluidShadowPicture"},
+                      targets.fluidBends);
     focus_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", joined({map, {{"COLUMNS", "1"}}})},
-                      {"frame", "view", "fluidBendPicture"}, targets.fluidLens);
-    rows_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_smooth"}, {"frame", "view", "fluidDepthPicture"},
-                     targets.fluidRows);
-    columns_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_smooth", {{"COLUMNS", "1"}}},
-                        {"frame", "view", "fluidWidePicture"}, targets.fluidColumns);
+                      {"fluidBendPicture"}, targets.fluidLens);
+    rows_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_smooth"}, {"fluidDepthPicture"}, targets.fluidRows);
+    columns_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_smooth", {{"COLUMNS", "1"}}}, {"fluidWidePicture"},
+                        targets.fluidColumns);
     clean_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_clean"},
-                      {"frame", "view", "fluidSmoothPicture", "fluidDepthPicture", "depthPicture"}, targets.fluidRows);
+                      {"fluidSmoothPicture", "fluidDepthPicture", "depthPicture"}, targets.fluidRows);
     if (targets.hasLayers())
         layer_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_layer"},
-                          {"frame", "view", "fluidWidePicture", "fluidThingPicture"}, targets.geometry);
+                          {"fluidWidePicture", "fluidThingPicture"}, targets.geometry);
     loadShading(gpu, table, settings);
     if (FoamStage::isNeeded(world)) loadFoam(gpu, table, settings);
 }
@@ -55,20 +54,12 @@ void FluidPass::loadShading(const Gpu& gpu, const BufferTable& table, const Rend
 {
     const bool emits = targets_.hasEmission();
     const Defines emission = emits ? Defines{{"EMISSION", "1"}} : Defines{};
-    tint_ = DrawPass(
-        gpu, table, {"fluids/fluid_tint", "fluids/fluid_tint", joined({outside(), emission})},
-        {"frame", "view", "positions", "sphereScales", "fluidLooks", "fluidMaterials", "depthPicture", "submersion"},
-        targets_.fluidInside);
+    tint_ = DrawPass(gpu, table, {"fluids/fluid_tint", "fluids/fluid_tint", joined({outside(), emission})},
+                     {"positions", "sphereScales", "fluidLooks", "fluidMaterials", "depthPicture", "submersion"},
+                     targets_.fluidInside);
     tint_.setAdditive();
-    std::vector<std::string> reads = {"frame",
-                                      "view",
-                                      "litPicture",
-                                      "depthPicture",
-                                      "fluidWidePicture",
-                                      "fluidTintPicture",
-                                      "fluidGlowPicture",
-                                      "skyPicture",
-                                      "skyBlurs"};
+    std::vector<std::string> reads = {"litPicture",       "depthPicture", "fluidWidePicture", "fluidTintPicture",
+                                      "fluidGlowPicture", "skyPicture",   "skyBlurs"};
     if (emits) reads.push_back("fluidEmissionPicture");
     shade_ = DrawPass(
         gpu, table,
@@ -79,12 +70,12 @@ void FluidPass::loadShading(const Gpu& gpu, const BufferTable& table, const Rend
 void FluidPass::loadFoam(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings)
 {
     foam_ = DrawPass(gpu, table, {"fluids/foam", "fluids/foam"},
-                     {"frame", "view", "foamPlaces", "fluidLooks", "fluidMaterials", "depthPicture", "shadowPicture",
-                      "fluidWidePicture", "fluidGlowPicture", "submersion"},
+                     {"foamPlaces", "fluidLooks", "fluidMaterials", "depthPicture", "shadowPicture", "fluidWidePicture",
+                      "fluidGlowPicture", "submersion"},
                      targets_.foamCover);
     foam_.setAdditive();
     foamShade_ = DrawPass(gpu, table, {"picture/screen", "fluids/foam_shade", displayDefines(settings)},
-                          {"frame", "view", "litPicture", "foamPicture"}, targets_.wet);
+                          {"litPicture", "foamPicture"}, targets_.wet);
 }
 
 void FluidPass::drawShadow(KernelTimer& timer, const SphereLists& lists) const

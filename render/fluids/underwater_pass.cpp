@@ -27,16 +27,14 @@ UnderwaterPass::UnderwaterPass(const Gpu& gpu, BufferTable& table, uint32_t flui
     count_ = Kernel(gpu, table, "render/fluids/submersion_count.comp", surface);
     write_ = Kernel(gpu, table, "render/fluids/submersion_draws.comp");
     points_ = DrawPass(gpu, table, {"fluids/fluid_top", "fluids/fluid_top", joined({surface, size})},
-                       {"frame", "view", "positions", "sphereScales", "fluidMaterials"}, topMap_);
-    rows_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_top_smooth", size},
-                     {"frame", "view", "topDepthPicture"}, rowsOfTop_);
+                       {"positions", "sphereScales", "fluidMaterials"}, topMap_);
+    rows_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_top_smooth", size}, {"topDepthPicture"}, rowsOfTop_);
     columns_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_top_smooth", joined({size, {{"COLUMNS", "1"}}})},
-                        {"frame", "view", "topRowsPicture"}, columnsOfTop_);
-    shade_ = DrawPass(gpu, table,
-                      {"picture/screen", "fluids/underwater", joined({displayDefines(settings), skyDefines(settings)})},
-                      {"frame", "view", "litPicture", "depthPicture", "topPicture", "fluidLooks", "fluidMaterials",
-                       "skyPicture", "skyBlurs"},
-                      targets.wet);
+                        {"topRowsPicture"}, columnsOfTop_);
+    shade_ = DrawPass(
+        gpu, table, {"picture/screen", "fluids/underwater", joined({displayDefines(settings), skyDefines(settings)})},
+        {"litPicture", "depthPicture", "topPicture", "fluidLooks", "fluidMaterials", "skyPicture", "skyBlurs"},
+        targets.wet);
 }
 
 void UnderwaterPass::update(KernelTimer& timer)

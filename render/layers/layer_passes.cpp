@@ -37,8 +37,8 @@ LayerCamera layerCamera(const gpu::FrameView& view, float tanHalfFov, uint32_t h
 }
 
 LayerPasses::LayerPasses(const Gpu& gpu, const BufferTable& table, const RenderTargets& targets)
-    : targets_(targets), pass_(gpu, table, {"picture/screen", "layers/layers"},
-                               {"frame", "view", "surfacePicture", "depthPicture"}, targets.layers)
+    : targets_(targets),
+      pass_(gpu, table, {"picture/screen", "layers/layers"}, {"surfacePicture", "depthPicture"}, targets.layers)
 {
 }
 

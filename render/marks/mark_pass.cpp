@@ -26,7 +26,7 @@ MarkPass::MarkPass(const Gpu& gpu, BufferTable& table, const Marks& marks, const
     table.add(Lifetime::Constant, corners_);
     const auto pass = [&] {
         return DrawPass(gpu, table, {"marks/mark", "marks/mark", shown},
-                        {"frame", "view", "markCorners", "bodyCentres", "bodyRotations"}, targets.lighting);
+                        {"markCorners", "bodyCentres", "bodyRotations"}, targets.lighting);
     };
     fans_ = pass();
     fans_.setOpacity(FAN_OPACITY);

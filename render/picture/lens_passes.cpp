@@ -27,16 +27,15 @@ LensPasses::LensPasses(const Gpu& gpu, BufferTable& table, const RenderTargets& 
     const std::string drawn = targets.resolved.id() != 0 ? targets.resolved.label() : targets.smoothed.label();
     const Defines covering = targets.isTransparent() ? Defines{{"TRANSPARENT", "1"}} : Defines{};
     expose_ = DrawPass(gpu, table, {"picture/screen", "picture/expose", joined({covering, {{"SOURCE", drawn}}})},
-                       {"frame", drawn}, exposure_);
+                       {drawn}, exposure_);
     expose_.setAdditive();
     if (settings.bloom > 0.0f) addLevels(gpu, table, settings);
     Defines looks = curveDefines(settings);
     if (!levels_.empty()) looks.push_back({"BLOOM", "1"});
     if (settings.quality == Quality::Final) looks.push_back({"DITHER", "1"});
     const DrawShaders shaders{"picture/screen", "picture/develop", looks};
-    develop_ = levels_.empty()
-                   ? DrawPass(gpu, table, shaders, {"frame", "exposedPicture"}, development_)
-                   : DrawPass(gpu, table, shaders, {"frame", "exposedPicture", "bloom1Picture"}, development_);
+    develop_ = levels_.empty() ? DrawPass(gpu, table, shaders, {"exposedPicture"}, development_)
+                               : DrawPass(gpu, table, shaders, {"exposedPicture", "bloom1Picture"}, development_);
 }
 
 void LensPasses::addLevels(const Gpu& gpu, BufferTable& table, const RenderSettings& settings)

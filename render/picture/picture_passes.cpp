@@ -19,9 +19,9 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
     const Defines covering = targets.isTransparent() ? Defines{{"TRANSPARENT", "1"}} : Defines{};
     const Defines fluids = targets.hasSurfaces() ? Defines{{"FLUIDS", "1"}} : Defines{};
     occlusion_ = DrawPass(gpu, table, {"picture/screen", "picture/occlusion"},
-                          {"frame", "view", "depthPicture", "surfacePicture", "shadowPicture"}, targets.occlusion);
-    std::vector<std::string> lit = {"frame",    "view",         "depthPicture", "surfacePicture", "shadePicture",
-                                    "finishes", "lightSources", "skyPicture",   "skyBlurs"};
+                          {"depthPicture", "surfacePicture", "shadowPicture"}, targets.occlusion);
+    std::vector<std::string> lit = {"depthPicture", "surfacePicture", "shadePicture", "finishes",
+                                    "lightSources", "skyPicture",     "skyBlurs"};
     if (targets.hasSurfaces())
         lit.insert(lit.end(), {"fluidShadowPicture", "fluidFocusPicture", "fluidLooks", "fluidMaterials"});
     lighting_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting", joined({looks, covering, fluids})}, lit,
@@ -29,15 +29,15 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
     if (isMirror) {
         const Defines shown = joined({displayDefines(settings), skyDefines(settings)});
         mirror_ = SidedPass(gpu, table, {"picture/screen", "picture/floor_mirror", shown},
-                            {"frame", "view", "litPicture", "depthPicture", "surfacePicture", "skyPicture", "skyBlurs"},
-                            targets.wet, targets);
+                            {"litPicture", "depthPicture", "surfacePicture", "skyPicture", "skyBlurs"}, targets.wet,
+                            targets);
     }
     if (settings.skinOpacity < 1.0f) {
         const Defines veiled = joined({looks, covering, {{"VEIL", "1"}}});
-        veil_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting", veiled},
-                         {"frame", "view", "depthPicture", "surfacePicture", "shadePicture", "finishes", "lightSources",
-                          "skyPicture", "skyBlurs"},
-                         targets.lighting);
+        veil_ = DrawPass(
+            gpu, table, {"picture/screen", "picture/lighting", veiled},
+            {"depthPicture", "surfacePicture", "shadePicture", "finishes", "lightSources", "skyPicture", "skyBlurs"},
+            targets.lighting);
         veil_.setOpacity(settings.skinOpacity);
     }
     loadSmoothing(gpu, table, settings, joined({covering, fluids}));
@@ -46,7 +46,7 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
 void PicturePasses::loadSmoothing(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings,
                                   Defines defines)
 {
-    std::vector<std::string> edges = {"frame", "litPicture", "shadePicture"}, resolved = {"frame", "smoothedPicture"};
+    std::vector<std::string> edges = {"litPicture", "shadePicture"}, resolved = {"smoothedPicture"};
     if (targets_.hasSurfaces()) edges.push_back("fluidDepthPicture");
     if (targets_.isTransparent()) {
         edges.push_back("coverPicture");

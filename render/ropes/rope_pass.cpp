@@ -59,7 +59,7 @@ RopePass::RopePass(const Gpu& gpu, BufferTable& table, const World& world, const
     place_ = Kernel(gpu, table, "render/ropes/tube_frames.comp", defines);
     Defines looks;
     if (settings.colorBy == ColorBy::Speed) looks = colorDefines(world, settings);
-    std::vector<std::string> reads = {"frame", "view", "tubeFrames", "tubeLooks", "tubeNodes", "velocities"};
+    std::vector<std::string> reads = {"tubeFrames", "tubeLooks", "tubeNodes", "velocities"};
     if (targets.hasLayers()) {
         earlier_.add(table, frames_);
         reads.push_back("earlierTubeFrames");

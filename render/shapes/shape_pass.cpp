@@ -86,8 +86,7 @@ ShapePass::ShapePass(const Gpu& gpu, BufferTable& table, const World& world, con
     if (texels.empty()) return;
     Defines defines;
     if (settings.colorBy == ColorBy::Speed) defines = colorDefines(world, settings);
-    const std::vector<std::string> reads = {"frame",       "view",          "velocities", "bodyShapes",
-                                            "bodyCentres", "bodyRotations", "finishes"};
+    const std::vector<std::string> reads = {"velocities", "bodyShapes", "bodyCentres", "bodyRotations", "finishes"};
     const Defines lightView = joined({defines, {{"LIGHT_VIEW", "1"}}});
     // Draws the far sides of the boxes: they are visible even when the eye is inside.
     shapes_ = DrawPass(
@@ -101,8 +100,8 @@ ShapePass::ShapePass(const Gpu& gpu, BufferTable& table, const World& world, con
     glass_ = SidedPass(
         gpu, table,
         {"shapes/shape", "shapes/shape_glass", joined({defines, last, displayDefines(settings), skyDefines(settings)})},
-        {"frame", "view", "velocities", "bodyShapes", "bodyCentres", "bodyRotations", "litPicture", "depthPicture",
-         "skyPicture", "skyBlurs"},
+        {"velocities", "bodyShapes", "bodyCentres", "bodyRotations", "litPicture", "depthPicture", "skyPicture",
+         "skyBlurs"},
         targets.glass, targets, GL_FRONT);
     glassShadow_ = DrawPass(gpu, table, {"shapes/shape", "shapes/shape_shadow", joined({lightView, last})}, reads,
                             targets.shadowMap, GL_FRONT);

@@ -45,8 +45,8 @@ SkinPass::SkinPass(const Gpu& gpu, BufferTable& table, const World& world, const
     buffers_.addTo(table);
     lod_ = Kernel(gpu, table, "render/skins/skin_lod.comp");
     pose_ = Kernel(gpu, table, "render/skins/skin_pose.comp");
-    std::vector<std::string> reads = {"frame",           "view",          "skinPlaces", "skinGroups",
-                                      "skinVertexLooks", "skinMaterials", "skinLevels", "skinTexels"};
+    std::vector<std::string> reads = {"skinPlaces",    "skinGroups", "skinVertexLooks",
+                                      "skinMaterials", "skinLevels", "skinTexels"};
     if (targets.hasLayers()) {
         earlier_.add(table, buffers_.places);
         reads.insert(reads.end(), {"earlierSkinPlaces", "skinWearers", "skinVertices"});

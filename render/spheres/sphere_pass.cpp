@@ -80,15 +80,14 @@ SpherePass::SpherePass(const Gpu& gpu, BufferTable& table, const World& world, c
         const Defines seen = joined({defines, targets.layerDefines()});
         const auto pass = [&](const char* vertex, const char* fragment, const Framebuffer& target) {
             const Defines& own = &target == &targets.geometry ? seen : defines;
-            return apart ? DrawPass(gpu, table, {vertex, fragment, own},
-                                    {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
-                                     "sphereColors", "spherePlaces", "grainParticles", "finishes", "bodyRotations",
-                                     "shownQuantities", "fluidMaterials"},
-                                    target)
+            return apart ? DrawPass(
+                               gpu, table, {vertex, fragment, own},
+                               {"sphereList", "sphereScales", "positions", "velocities", "sphereColors", "spherePlaces",
+                                "grainParticles", "finishes", "bodyRotations", "shownQuantities", "fluidMaterials"},
+                               target)
                          : DrawPass(gpu, table, {vertex, fragment, own},
-                                    {"frame", "view", "sphereList", "sphereScales", "positions", "velocities",
-                                     "sphereColors", "spherePlaces", "grainParticles", "finishes", "bodyRotations",
-                                     "shownQuantities"},
+                                    {"sphereList", "sphereScales", "positions", "velocities", "sphereColors",
+                                     "spherePlaces", "grainParticles", "finishes", "bodyRotations", "shownQuantities"},
                                     target);
         };
         return Passes{pass("spheres/sphere", "spheres/sphere", targets.geometry),

@@ -42,9 +42,8 @@ SurfacePass::SurfacePass(const Gpu& gpu, BufferTable& table, const World& world,
     if (softVertexCount_ > 0) softPlacesKernel_ = load("soft_places");
     normalsKernel_ = load("surface_normals");
     Defines defines = colorDefines(world, settings);
-    std::vector<std::string> reads = {"frame",          "view",       "surfacePlaces",    "surfaceNormals",
-                                      "surfaceLooks",   "velocities", "surfaceParticles", "hemEdges",
-                                      "shownQuantities"};
+    std::vector<std::string> reads = {"surfacePlaces",    "surfaceNormals", "surfaceLooks",   "velocities",
+                                      "surfaceParticles", "hemEdges",       "shownQuantities"};
     if (targets.hasLayers()) {
         earlier_.add(table, places_);
         earlier_.add(table, normals_);

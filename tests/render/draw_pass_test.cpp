@@ -33,7 +33,7 @@ TEST(DrawPass, ReadsWhatItIsGivenByName)
     BufferTable table;
     table.add(Lifetime::Scratch, inputs.frame, inputs.view);
     table.add(inputs.depth, inputs.surface, inputs.shade);
-    EXPECT_EQ(inputs.problemOf(table, {"frame", "view", "depthPicture", "surfacePicture", "shadePicture"}), "");
+    EXPECT_EQ(inputs.problemOf(table, {"depthPicture", "surfacePicture", "shadePicture"}), "");
 }
 
 TEST(DrawPass, NamesWhatItDeclaresBesideItsInputs)
@@ -43,10 +43,8 @@ TEST(DrawPass, NamesWhatItDeclaresBesideItsInputs)
     BufferTable table;
     table.add(Lifetime::Scratch, inputs.frame, inputs.view);
     table.add(inputs.depth, inputs.surface, inputs.shade);
-    EXPECT_EQ(inputs.problemOf(table, {"frame", "view", "depthPicture", "surfacePicture"}),
+    EXPECT_EQ(inputs.problemOf(table, {"depthPicture", "surfacePicture"}),
               "pass lighting declares \"shadePicture\", which is not among what it is given");
-    EXPECT_EQ(inputs.problemOf(table, {"frame", "depthPicture", "surfacePicture", "shadePicture"}),
-              "pass lighting declares \"view\", which is not among what it is given");
 }
 
 TEST(DrawPass, NamesAnInputThatDoesNotExist)
@@ -55,7 +53,7 @@ TEST(DrawPass, NamesAnInputThatDoesNotExist)
     LightingInputs inputs;
     BufferTable table;
     table.add(Lifetime::Scratch, inputs.frame, inputs.view);
-    EXPECT_EQ(inputs.problemOf(table, {"frame", "view", "depthPicture"}),
+    EXPECT_EQ(inputs.problemOf(table, {"depthPicture"}),
               "pass lighting asks for \"depthPicture\", which is not in the table");
 }
 

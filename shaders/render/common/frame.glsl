@@ -2,4 +2,6 @@
 #include "shared/draw_types.h"
 #include "shared/frame_types.h"
 
+#ifndef READS_FLAT_FRAME
 layout(std140) uniform Frame { FrameInput frame; };
+#endif

@@ -1,5 +1,5 @@
 // The depth of the nearest fluid, whose particles are spheroids.
-#include "render/common/frame_blocks.glsl"
+#include "render/common/rays/sphere_ray.glsl"
 #ifdef LAYERS
 flat in uint thingIndex;
 layout(location = 0) out uvec2 frontThing;   // colour word, particle
@@ -8,19 +8,19 @@ layout(location = 0) out uvec2 frontThing;   // colour word, particle
 flat in vec4 sphere;
 flat in float radius;
 flat in vec3 formAxis;
-flat in vec2 formLengths;
+flat in vec2 formScales;
 // As in sphere.frag.
 layout(depth_greater) out float gl_FragDepth;
 
 /// Space in which the spheroid is a ball.
 vec3 rounded(vec3 v)
 {
-    return (v + (formLengths.y / formLengths.x - 1.0) * dot(formAxis, v) * formAxis) / formLengths.y;
+    return (v + formScales.x * dot(formAxis, v) * formAxis) * formScales.y;
 }
 
 void main()
 {
-    vec3 ray = rounded(viewRay(gl_FragCoord.xy)), centre = rounded(sphere.xyz);
+    vec3 ray = rounded(pixelRay()), centre = rounded(sphere.xyz);
     float inverse = 1.0 / dot(ray, ray), along = dot(centre, ray) * inverse;
     vec3 miss = centre - along * ray;
     float h = radius * radius - dot(miss, miss);
@@ -28,5 +28,5 @@ void main()
 #ifdef LAYERS
     frontThing = uvec2(floatBitsToUint(sphere.w), thingIndex);
 #endif
-    gl_FragDepth = (along - sqrt(h * inverse)) / frame.farDepth;
+    gl_FragDepth = (along - sqrt(h * inverse)) * perFarDepth;
 }

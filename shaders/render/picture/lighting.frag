@@ -1,4 +1,5 @@
 // Lights the surfaces and paints the sky behind them; writes final colours, or light.
+#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/rays/screen_march.glsl"

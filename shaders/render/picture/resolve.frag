@@ -1,4 +1,5 @@
 // The mean of the samples of one pixel of the finished picture.
+#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/frame.glsl"
 
 uniform sampler2D smoothedPicture;

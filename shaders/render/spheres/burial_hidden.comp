@@ -9,15 +9,16 @@ layout(std430) buffer BurialCells { uint cells[]; };
 layout(std430) readonly buffer BuriedCells { uint buried[]; };
 
 // Walks through the grid from cell to cell. `way`: 1 along its longest axis, in cells.
-bool meetsBuried(vec3 place, vec3 way, int cellCount)
+bool isHidden(vec3 place, vec3 way, int cellCount)
 {
-    bool met = false, inside = true;
-    for (int i = 0; i < cellCount && inside && !met; ++i) {
-        place += way;
-        inside = all(greaterThanEqual(place, vec3(0.0))) && all(lessThan(place, vec3(float(BURIAL_CELLS))));
-        met = inside && buried[cellIndex(uvec3(clamp(place, vec3(0.0), vec3(float(BURIAL_CELLS - 1)))))] != 0u;
+    uint layers = 0u;
+    bool inside = true;
+    for (int i = 0; i < cellCount && inside && layers < HIDING_UNITS; ++i) {
+        vec3 middle = place + (float(i) + 0.5) * way;
+        inside = all(greaterThanEqual(middle, vec3(0.0))) && all(lessThan(middle, vec3(float(BURIAL_CELLS))));
+        if (inside) layers += buried[cellIndex(uvec3(clamp(middle, vec3(0.0), vec3(float(BURIAL_CELLS - 1)))))];
     }
-    return met;
+    return layers >= HIDING_UNITS;
 }
 
 bool hiddenFrom(vec3 low, vec3 eye, bool farAway)
@@ -27,7 +28,7 @@ bool hiddenFrom(vec3 low, vec3 eye, bool farAway)
         vec3 way = farAway ? eye : eye - from;
         float cellCount = max(max(abs(way.x), abs(way.y)), abs(way.z));
         int limit = farAway ? BURIAL_CELLS : int(min(cellCount, float(BURIAL_CELLS)));
-        if (!meetsBuried(from, way / cellCount, limit)) return false;
+        if (!isHidden(from, way / cellCount, limit)) return false;
     }
     return true;
 }

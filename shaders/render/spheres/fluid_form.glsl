@@ -5,14 +5,14 @@
 #ifdef SURFACE
 uniform usamplerBuffer fluidForms;
 flat out vec3 formAxis;       // in view space
-flat out vec2 formLengths;    // half lengths along it and across it, over the radius
+flat out vec2 formScales;     // y makes it a ball across its axis, x does the rest along it
 
 /// @returns the longest of its half lengths, over the radius.
 float giveForm(uint particle)
 {
     Spheroid form = unpackSpheroid(texelFetch(fluidForms, int(particle)).x);
     formAxis = directionToView(form.axis);
-    formLengths = vec2(form.along, form.across);
+    formScales = vec2(form.across / form.along - 1.0, 1.0 / form.across);
     return max(form.along, form.across);
 }
 #else

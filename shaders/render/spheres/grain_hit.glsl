@@ -13,10 +13,10 @@ const vec3 GRAIN_AXIS[GRAIN_AXES] = vec3[GRAIN_AXES](
     vec3(-0.525731, 0.850651, 0.0), vec3(0.850651, 0.0, 0.525731), vec3(0.850651, 0.0, -0.525731));
 
 /// As sphereHit().
-bool grainHit(vec3 centre, vec2 window, out SphereHit hit)
+bool grainHit(vec3 centre, vec3 ray, out SphereHit hit)
 {
     vec4 back = conjugate(grainRotation);
-    vec3 ray = viewRay(window), direction = rotate(back, ray);
+    vec3 direction = rotate(back, ray);
     // From the ray's nearest point to the centre, so that numbers stay small far away.
     float along = dot(centre, ray) / dot(ray, ray);
     vec3 start = rotate(back, along * ray - centre);

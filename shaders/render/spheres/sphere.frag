@@ -2,6 +2,7 @@
 #include "render/common/surface.glsl"
 #include "render/common/thing.glsl"
 #include "render/spheres/sphere_hit.glsl"
+#include "render/common/rays/sphere_ray.glsl"
 #include "math/quaternion.glsl"
 #ifdef PATTERNS
 #include "render/common/finish_pattern.glsl"
@@ -22,21 +23,22 @@ layout(depth_greater) out float gl_FragDepth;
 
 void main()
 {
+    vec3 ray = pixelRay();
     SphereHit hit;
 #ifdef GRAINS
-    bool isHit = grainRadii.w == 1.0 ? grainHit(sphere.xyz, gl_FragCoord.xy, hit)
-                                     : sphereHit(sphere.xyz, radius, gl_FragCoord.xy, hit);
+    bool isHit = grainRadii.w == 1.0 ? grainHit(sphere.xyz, ray, hit)
+                                     : sphereHit(sphere.xyz, radius, ray, hit);
 #else
-    bool isHit = sphereHit(sphere.xyz, radius, gl_FragCoord.xy, hit);
+    bool isHit = sphereHit(sphere.xyz, radius, ray, hit);
 #endif
     if (!isHit) discard;
     uint word = floatBitsToUint(sphere.w);
 #ifdef PATTERNS
-    vec3 arm = rotate(conjugate(bodyTurn), directionToWorld(hit.normal) * radius);
+    vec3 arm = rotate(conjugate(bodyTurn), directionToWorld(hit.normal));
     vec3 place = alongAxis(placeInBody.xyz + arm, int(placeInBody.w));
-    word = patternedWord(word, place, patternSeed, pixelWidth(hit.depth, hit.normal));
+    word = patternedWord(word, place, patternSeed, pixelWidth(hit.depth, hit.normal / radius));
 #endif
     surface = uvec2(packNormal(hit.normal), word);
-    gl_FragDepth = hit.depth / frame.farDepth;
+    gl_FragDepth = hit.depth * perFarDepth;
     SHOW_THING(THING_PARTICLE);
 }

@@ -5,6 +5,7 @@
 #include "render/spheres/fluid_form.glsl"
 #include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
+#include "render/common/rays/sphere_ray_out.glsl"
 #ifdef PATTERNS
 #include "render/spheres/sphere_place.glsl"
 #endif
@@ -34,6 +35,7 @@ void main()
     sphere = vec4(centre, uintBitsToFloat(color));
     gl_PointSize = max(size.x, size.y) + 1.0;
     gl_Position = vec4(0.5 * (bounds.xy + bounds.zw), 2.0 * (-centre.z - bound) / frame.farDepth - 1.0, 1.0);
+    giveRays();
     NAME_THING(particle);
 #ifdef PATTERNS
     placeSphere(particle);

@@ -5,6 +5,7 @@
 #include "render/spheres/fluid_form.glsl"
 #include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_color.glsl"
+#include "render/common/rays/sphere_ray_out.glsl"
 #ifdef PATTERNS
 #include "render/spheres/sphere_place.glsl"
 #endif
@@ -37,6 +38,7 @@ void main()
     vec2 corner = vec2(place & 1, place >> 1);
     gl_Position = vec4(clamp(mix(bounds.xy, bounds.zw, corner), -1.0, 1.0),
                        2.0 * nearest / frame.farDepth - 1.0, 1.0);
+    giveRays();
     NAME_THING(particle);
 #ifdef PATTERNS
     placeSphere(int(particle));

@@ -8,18 +8,15 @@ layout(std430) buffer View { FrameView view; };
 
 // The map grows in steps, so that its texels do not move with every small change of the scene.
 const float SIZE_STEPS_PER_OCTAVE = 3.0;
-// A cell is full, and hides things behind it, with this share of the particles that it could hold on a lattice.
-const float FULL_SHARE = 0.5;
 
-// Cells of four diameters or more over the particles. A pile of bodies fills about half of what a lattice would.
+// Cells of two diameters or more over the particles.
 void burialGrid(vec3 low, vec3 high)
 {
     float diameter = 2.0 * frame.radius;
     // The outermost cells are reserved for particles outside the bounds.
-    vec3 size = max((high - low) / float(BURIAL_CELLS - 3), vec3(4.0 * diameter));
-    view.cellOrigin = vec4(low - size, 0.0);
-    float full = float(SPACE_UNITS) * FULL_SHARE;
-    view.cellSize = vec4(size, full * size.x * size.y * size.z / (diameter * diameter * diameter));
+    vec3 size = max((high - low + diameter) / float(BURIAL_CELLS - 3), vec3(2.0 * diameter));
+    view.cellOrigin = vec4(low - frame.radius - size, 0.0);
+    view.cellSize = vec4(size, float(SPACE_UNITS) * size.x * size.y * size.z / (diameter * diameter * diameter));
 }
 
 // A rectangle, as seen from the light, with all things that shade the ground, and their surroundings.
