@@ -25,7 +25,9 @@ void main()
     float here = depthAt(pixel), sum = 0.0, weights = 1.0;
     float slant = max(slantAlong(pixel, ivec2(1, 0), here), slantAlong(pixel, ivec2(0, 1), here));
     float inverseRange = 2.0 / (0.3 * frame.fluidRadius + slant);
-    for (int y = 0; y <= 2; ++y)
+    // llvmpipe leaves a loop in which no pixel takes part.
+    int rows = here < frame.farDepth ? 2 : -1;
+    for (int y = 0; y <= rows; ++y)
         for (int x = y == 0 ? 1 : -2; x <= 2; ++x) {
             float away = 0.5 * (depthAt(pixel + ivec2(x, y)) + depthAt(pixel - ivec2(x, y))) - here;
             float weight = max(2.0 - inverseRange * abs(away), 0.0);

@@ -34,9 +34,9 @@ void main()
     float further = 4.0 / (RANGE * radius + slant), nearer = 1.0 / (NEARER * radius + slant);
     float pixels = WIDTH * radius * float(frame.height) / (2.0 * frame.tanHalfFov * max(here, radius));
     pixels = any ? clamp(pixels, 1.0, MOST_PIXELS) : 0.0;
-    int step = int(ceil(pixels / float(MOST_TAPS)));
+    int step = max(int(ceil(pixels / float(MOST_TAPS))), 1);
     float sum = 0.0, weights = 1.0;
-    for (int k = step; float(k) <= pixels; k += max(step, 1)) {
+    for (int k = step; float(k) <= pixels; k += step) {
         ivec2 one = pixel - k * STEP, other = pixel + k * STEP;
         vec2 depths = vec2(fluidDepth(clamp(one, ivec2(0), last)), fluidDepth(clamp(other, ivec2(0), last)));
         bool inside = all(greaterThanEqual(one, ivec2(0))) && all(lessThanEqual(other, last));
