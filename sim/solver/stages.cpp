@@ -177,7 +177,8 @@ Defines Stages::worldDefines() const
                       {"MOVING", !world_.colliderMotions.empty()},
                       {"RELEASES", releases.has_value()},
                       {"FILTERS", std::ranges::any_of(world_.bodies, filtersAny)},
-                      {"GRID_HASH", s.grid == GridKind::Hash}});
+                      {"GRID_HASH", s.grid == GridKind::Hash},
+                      {"SOFTWARE_DRIVER", gpu_.device().software}});
 }
 
 void Stages::load(const std::vector<Stage*>& stages)

@@ -2,6 +2,7 @@
 // substep's end. So what it touches sees its speed, at any frame rate. PUPPETS: also stores where clips have bodies
 // that may be driven, whatever those do now.
 #include "shared/animation_types.h"
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_poses.glsl"

@@ -9,7 +9,15 @@
 #define FLOAT_TEXELS(name) layout(rgba32f) restrict uniform imageBuffer name;
 #define UINT_TEXELS(name) layout(rgba32ui) restrict uniform uimageBuffer name;
 
+// llvmpipe reads a number of a uniform block for each thread, wherever it is used; one of a storage block only once for
+// all, if that is before the first branch. Kernels that loop over neighbours are no faster by that, and those with
+// eight storage blocks may have no more: they define UNIFORM_PARAMETERS.
+#if defined(SOFTWARE_DRIVER) && !defined(UNIFORM_PARAMETERS)
+READ_BUFFER(StepParameters, Step, stepParameters);
+StepParameters sim = stepParameters[0];
+#else
 layout(std140) uniform Step { StepParameters sim; };
+#endif
 
 // An index of nothing: no pair, no cell, no second place.
 #define NONE 0xffffffffu

@@ -1,6 +1,7 @@
 // One thread a slot: finds the neighbours between which fluids act. Solid particles list fluid ones only. The grid and
 // packed positions both wrap: if fluid has spread wider than the grid, lists contain some particles that only look
 // near, which have no effect. SOLIDS: of a world that has any.
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/grid.glsl"

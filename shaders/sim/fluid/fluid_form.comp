@@ -1,6 +1,7 @@
 // One thread a slot, at the end of a step: how a fluid particle is drawn as a part of a surface: as a spheroid that is
 // flat where its neighbours lie in a sheet or on one side, and long where they lie in a thread (Yu and Turk 2013,
 // eqs. 8-16, of whose three axes it has the one that differs most).
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"

@@ -1,5 +1,6 @@
 // One thread a slot: how velocities change with place around its fluid particle, by differences to its neighbours and
 // the inverse of their moments (Randles and Libersky 1996). fluid_viscosity takes that much from what it smooths.
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"

@@ -2,6 +2,7 @@
 // follows from the fluid's viscosity: c = 6 nu t / <r^2> spreads momentum in the time t as the kinematic viscosity nu
 // does, <r^2> being the kernel's mean. What differs from an even change of velocity is smoothed more, to quiet fluids
 // at rest; where it is larger than such noise it is flow, and is let be.
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"

@@ -1,4 +1,5 @@
 // One thread a slot: the vorticity around its fluid particle (Macklin and Mueller 2013, eq. 15).
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"

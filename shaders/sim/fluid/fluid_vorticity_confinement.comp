@@ -1,6 +1,7 @@
 // One thread a slot: vorticity confinement (Macklin and Mueller 2013, eq. 16): drives its fluid particle around where
 // the vorticity w is strongest. The strength e has no unit: the acceleration is e s |w| (N x w), s being the rest
 // distance and N the direction towards there.
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"

@@ -18,7 +18,6 @@ layout(local_size_x = TREE_GROUP_SIZE) in;
 #endif
 BUFFER(vec4, JointFactors, jointFactors);
 BUFFER(vec4, RootFactors, rootFactors);
-BUFFER(vec4, JointInertias, jointInertias);
 #include "sim/joint/joint_inertias.glsl"
 #ifdef AGAIN
 #include "sim/joint/joint_again.glsl"
@@ -31,7 +30,7 @@ void factor(uint k)
     uint freedom = fetchFreedom(k);
     bool free = responds(joint.body);
     Inertia m = Inertia(mat3(moverMass(joint.body)), mat3(0), fetchBodyLoad(joint.body).hessian);
-    for (uint child = joint.firstChild; child < joint.childEnd; ++child) m = add(m, loadInertia(child));
+    m = withHanded(k, joint, m);
 #ifdef DRIVES
     m = add(m, pinStiffness(k));
 #endif
@@ -84,7 +83,7 @@ void main()
     updateLimits(tree);
 #endif
     if (!due) return;
-    for (uint k = tree.end; k-- > tree.first;) factor(k);
+    UP_TREE(tree, factor(k))
 #ifdef RESPONSES
     for (uint k = tree.first; k < tree.end; ++k) respond(k);
 #endif

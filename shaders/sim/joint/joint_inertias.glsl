@@ -1,7 +1,22 @@
-// What joint_factor hands from a joint's body to its parent: the inertia that the parent sees of it. A kernel that
-// stores it declares BUFFER(vec4, JointInertias, jointInertias).
+// What joint_factor hands from a joint's body to its parent: the inertia that the parent sees of it.
 #include "math/spatial.glsl"
 #include "shared/joint_records.h"
+#include "sim/joint/short_tree.glsl"
+
+#ifdef SHORT_TREES
+Inertia handedInertias[SHORT_TREE];
+
+void storeInertia(uint joint, Inertia m) { handedInertias[treePlace] = m; }
+
+/// With that of what hangs on it.
+Inertia withHanded(uint k, Joint joint, Inertia m)
+{
+    for (int place = treePlace + 1; place < SHORT_TREE; ++place)
+        if (hangsOn(place, k, joint)) m = add(m, handedInertias[place]);
+    return m;
+}
+#else
+BUFFER(vec4, JointInertias, jointInertias);
 
 Inertia loadInertia(uint joint)
 {
@@ -22,3 +37,11 @@ void storeInertia(uint joint, Inertia m)
     jointInertias[first + 4u].xyz = m.b[0];
     jointInertias[first + 5u].xyz = m.b[1];
 }
+
+/// With that of what hangs on it.
+Inertia withHanded(uint k, Joint joint, Inertia m)
+{
+    for (uint child = joint.firstChild; child < joint.childEnd; ++child) m = add(m, loadInertia(child));
+    return m;
+}
+#endif

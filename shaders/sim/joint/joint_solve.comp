@@ -73,11 +73,11 @@ void main()
     if (index >= sim.jointTreeCount) return;
     JointTree tree = fetchJointTree(index);
     if (treeRests(tree)) return;
-    for (uint k = tree.end; k-- > tree.first;) ask(k);
+    UP_TREE(tree, ask(k))
 #ifdef TURNS
     float part = partToTake(index, tree);
-    for (uint k = tree.first; k < tree.end; ++k) take(k, loadAnswer(k), part);
+    DOWN_TREE(tree, take(k, loadAnswer(k), part))
 #else
-    for (uint k = tree.first; k < tree.end; ++k) take(k, follow(k), 1.0);
+    DOWN_TREE(tree, take(k, follow(k), 1.0))
 #endif
 }

@@ -1,8 +1,9 @@
 // Values that the sweeps over a tree pass to each other, per joint: what its body asks of its parent, what is asked of
 // the body, its motion in this sweep, and, if joints close loops, its motion in all sweeps of a solve.
-#include "math/spatial.glsl"
 #include "shared/joint_records.h"
+#include "sim/joint/short_sweeps.glsl"
 
+#ifndef SHORT_TREES
 // An image: a software driver reads and writes whole texels of it faster than those of a storage block.
 layout(rgba32f) restrict uniform imageBuffer jointSweeps;
 
@@ -15,11 +16,6 @@ uint sweepEntry(uint joint, uint part)
 {
     return JOINT_SWEEP_TEXELS * joint + part;
 }
-
-struct Asked {
-    Force force;    // on the body with all that hangs on it, at its joint
-    Motion error;   // of its joint
-};
 
 void storeAsked(uint joint, Asked asked)
 {
@@ -69,3 +65,18 @@ void addMotion(uint joint, uint part, Motion m)
     Motion before = loadMotion(joint, part);
     storeMotion(joint, part, Motion(before.t + m.t, before.r + m.r));
 }
+
+void storeSwept(uint joint, Motion m) { storeMotion(joint, SWEEP_MOTION, m); }
+
+/// With the forces of what hangs on it.
+Force withHanded(uint k, Joint joint, Force own)
+{
+    for (uint child = joint.firstChild; child < joint.childEnd; ++child) own = add(own, loadHandedForce(child));
+    return own;
+}
+
+Motion motionOfParent(uint k, Joint joint)
+{
+    return loadMotion(joint.parentJoint, SWEEP_MOTION);
+}
+#endif

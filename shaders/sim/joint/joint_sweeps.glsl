@@ -54,7 +54,7 @@ Answer answerTo(JointFactor factor, uint freedom, Motion given, Force f)
 void passForce(uint k, Force own, Motion error, vec3 stop)
 {
     Joint joint = fetchJoint(k);
-    for (uint child = joint.firstChild; child < joint.childEnd; ++child) own = add(own, loadHandedForce(child));
+    own = withHanded(k, joint, own);
     Force passed = Force(vec3(0), vec3(0));
     uint freedom = fetchFreedom(k);
     if (responds(joint.body) && freedom != JOINT_NONE) {
@@ -80,13 +80,13 @@ Answer follow(uint k)
         JointFactor factor = fetchJointFactor(k);
         Asked asked = loadAsked(k);
         Motion given = Motion(vec3(0), vec3(0));
-        if (joint.parentJoint != NONE) given = shifted(loadMotion(joint.parentJoint, SWEEP_MOTION), factor.parentArm);
+        if (joint.parentJoint != NONE) given = shifted(motionOfParent(k, joint), factor.parentArm);
         given = Motion(given.t - asked.error.t, given.r - asked.error.r);
         answer = answerTo(factor, freedom, given, asked.force);
         if (freedom == JOINT_BALL) answer.held.r = vec3(0);
         if (freedom == JOINT_HINGE) answer.held.r -= factor.axis * dot(factor.axis, answer.held.r);
         answer.motion = shifted(answer.motion, -factor.arm);
     }
-    storeMotion(k, SWEEP_MOTION, answer.motion);
+    storeSwept(k, answer.motion);
     return answer;
 }

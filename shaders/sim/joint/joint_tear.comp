@@ -1,6 +1,7 @@
 // One thread a tree of joints: of those that bore more in the substep than they can, the most loaded one tears, which
 // relieves the others; and those whose time is over (LETS_GO: of a world that has any). A torn joint's body is then the
 // root of what hangs on it, in the same tree; its particles stay with the first of their bodies.
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/common/bodies/assemblies.glsl"
 #include "sim/joint/joint_rows.glsl"

@@ -3,6 +3,7 @@
 // c - F r)), where pull is Hooke's law for R^T F - 1 and grip holds the nonlinear part. As (F - R) F^T is symmetric,
 // the pull turns nothing; as the r of a cluster sum to zero, it moves nothing as a whole. FIRST_ITERATION: of a
 // substep; before it, a plastic cluster flows.
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/rotation/rotation_delta.glsl"
 #include "sim/common/bodies/assemblies.glsl"

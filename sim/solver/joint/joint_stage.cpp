@@ -72,15 +72,16 @@ Defines loopVariant(const StageSetup& setup)
 
 Defines solveVariant(const StageSetup& setup, bool loops, bool again)
 {
-    Defines variant = definesOf({{"LOOPS", loops}, {"TURNS", again}});
+    Defines variant = definesOf({{"LOOPS", loops}, {"TURNS", again}, {"SHORT_TREES", !loops && !again}});
     const Defines common = loopVariant(setup);
     variant.insert(variant.end(), common.begin(), common.end());
     return variant;
 }
 
-Defines factorVariant(const StageSetup& setup)
+Defines factorVariant(const StageSetup& setup, bool loops, bool again)
 {
-    return definesOf({{"RESPONSES", !setup.world.strands.empty()},
+    return definesOf({{"SHORT_TREES", !loops && !again},
+                      {"RESPONSES", !setup.world.strands.empty()},
                       {"LIMITS", hasLimits(setup.world)},
                       {"DRIVES", drives(setup.world)}});
 }
@@ -108,7 +109,7 @@ JointStage::JointStage(const StageSetup& setup)
       drives_(needed_ && drives(setup.world)), tears_(needed_ && tears(setup.world)),
       again_(needed_ && (hasLimits_ || drives_ || hasLongTree(setup.layout.jointTrees))),
       variant_(solveVariant(setup, hasLoops_, again_)), loopVariant_(loopVariant(setup)),
-      factorVariant_(factorVariant(setup)), againVariant_(with(factorVariant_, "AGAIN")),
+      factorVariant_(factorVariant(setup, hasLoops_, again_)), againVariant_(with(factorVariant_, "AGAIN")),
       rowVariant_(definesOf({{"ANGULAR", setup.rows.hasAngular()}})),
       tearVariant_(letsGo(setup.world) ? with(rowVariant_, "LETS_GO") : rowVariant_)
 {

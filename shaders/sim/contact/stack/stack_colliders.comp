@@ -3,6 +3,7 @@
 // No ball, capsule or grain is in a stack, and what they need are textures too many.
 #undef ROUNDS
 #undef GRAINS
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/contact/collider_now.glsl"
 #include "sim/common/contacts/list_ranges.glsl"

@@ -1,6 +1,7 @@
 // One thread a slot: how many points of foam its particle makes in this step (Ihmsen et al. 2012, eqs. 2-8): where
 // neighbours come at it they trap air, and wave crests take it in, both the more the faster it is. Sums over neighbours
 // are means here, so that bounds are speeds and angles.
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"

@@ -1,4 +1,5 @@
 // One thread a slot: its particle's velocity at the end of the step, and which way the fluid ends, if it does nearby.
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/fluid/fluid_slots.glsl"
 #include "sim/fluid/slot_values.glsl"

@@ -3,6 +3,7 @@
 // the same gradients by which fluid_pressure pushes: so what is pressed gives back the work that went in. (The density
 // that kernels sum up would change where fluid only shears.) RELAX: as kernels sum it up.
 // FREE, WALLED, COVERED: one thread a slot of a list.
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/fluid/fluid_slots.glsl"

@@ -3,6 +3,7 @@
 // predicts the next. RELAX: moves it without changing its velocity, and a little further along its moves of earlier
 // passes, so that what the walls press out of a column rises through it in few passes. FREE, WALLED, COVERED: one
 // thread a slot of a list.
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/common/nan_report.glsl"
 #include "sim/common/particles.glsl"

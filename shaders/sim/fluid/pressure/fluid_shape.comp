@@ -1,6 +1,7 @@
 // One thread a slot, a few times a step: how uneven the fluid around a particle is. The kernel's sums over neighbours
 // that lean would give it a stress that is not the same in all directions, so that fluid under pressure rubs like sand;
 // the inverse of M = sum V r grad W (Randles and Libersky 1996) evens it. M changes as slowly as the fluid shears.
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/common/particles.glsl"
 #include "sim/fluid/fluid_slots.glsl"

@@ -2,6 +2,7 @@
 // where joints are limited.
 #define MANY_PUSHES
 #define ANGULAR
+#define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/joint/joint_error.glsl"
 #include "sim/joint/joint_rows.glsl"
