@@ -92,7 +92,8 @@ void main()
             vec3 place = fetchSortedPosition(m).position;
             if (other.fast || !inForwardRange(cell, range, place)) continue;
             if (!mayTouch(self.particle, other.particle)) continue;
-            if (speaks(self.particle, other.particle, own.position - place, 0.0))
+            float further = max(reachOf(self.particle), reachOf(other.particle));
+            if (speaks(self.particle, other.particle, own.position - place, further))
                 notePair(self.particle, other.particle, count++);
         }
     } while ((first += 64u) < ahead.count);

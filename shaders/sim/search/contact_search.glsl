@@ -2,6 +2,7 @@
 #include "math/quaternion.glsl"
 #include "sim/common/contacts/touch.glsl"
 #include "sim/common/contacts/round_bodies.glsl"
+#include "sim/common/contacts/search_margin.glsl"
 #include "sim/search/candidate_notes.glsl"
 #include "sim/search/self_contact.glsl"
 #include "sim/search/sorted_particles.glsl"
@@ -12,6 +13,13 @@ uniform usamplerBuffer sortedParticles;
 uniform usamplerBuffer cellStarts;
 uniform samplerBuffer searchRotations;
 uniform samplerBuffer searchPositions;
+uniform samplerBuffer searchCentres;
+
+/// By how much further a particle looks than others [m].
+float reachOf(uint particle)
+{
+    return extraMargin(fetchSearchCentre(searchCentres, fetchRank(particle).mover));
+}
 
 SortedPosition fetchSortedPosition(uint k)
 {
@@ -52,7 +60,7 @@ bool speaks(uint i, uint j, vec3 difference, float further)
     vec3 inB = rotate(conjugate(texelFetch(searchRotations, int(b))), difference);
     return (!roundI || nearestOfRound(a, fetchArm(i).r, inA)) && (!roundJ || nearestOfRound(b, fetchArm(j).r, inB));
 #else
-    return true;
+    return length(difference) < sim.contactReach + further;
 #endif
 }
 

@@ -9,6 +9,9 @@ layout(local_size_x = GROUP_SIZE) in;
 BUFFER(float, MoverReaches, moverReaches);
 BUFFER(Counters, CountersBlock, counters);
 
+// A calm mover looks less far: so many horizons, and at least this part of the common margin.
+const float CALM_SIGHT = 6.0, LEAST_MARGIN = 0.4;
+
 void main()
 {
     uint m = gl_GlobalInvocationID.x;
@@ -20,7 +23,8 @@ void main()
                  2.0 * length(fetchRotationDelta(m).xyz) * radius;
     bool farSighted = counters[0].farSighted == 1u;
     float missing = (farSighted ? FAR_SIGHT : 1.0) * sim.horizon * path - sim.drift;
-    float reach = clamp(missing, 0.0, sim.farReach);
+    float calm = max(CALM_SIGHT * sim.horizon * path, LEAST_MARGIN * sim.drift) - sim.drift;
+    float reach = clamp(missing, min(calm, 0.0), sim.farReach);
     moverReaches[m] = reach;
     uint particles = fetchMover(m).rankCount;
     if (reach > 0.0) atomicAdd(counters[0].fastCount, particles);
