@@ -46,7 +46,8 @@ TEST_F(Words, OfAnotherKindOfFileAreRefusedWithTheListOfWhatIsKnown)
         {{"render", scene, "--export", "gltf=a.gltf"},
          "--export gltf=a.gltf: it is written as binary glTF; name it a.glb"},
         {{"render", scene, "--export", "obj=x"},
-         "--export obj=x: must be ply=FOLDER, vtk=FOLDER, bodies=FILE.csv, measures=FILE.csv, bvh=FILE.bvh, "
+         "--export obj=x: must be ply=FOLDER, vtk=FOLDER, bgeo=FOLDER, bodies=FILE.csv, measures=FILE.csv, "
+         "bvh=FILE.bvh, "
          "gltf=FILE.glb, surface=FOLDER, vdb=FOLDER or "
          "layers=FOLDER"},
         {{"render", scene, "--stats", "a.csv"}, "--stats a.csv: a file of figures is written as .json or .txt"},

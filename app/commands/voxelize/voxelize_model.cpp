@@ -10,11 +10,13 @@
 #include "app/files/actor_file.h"
 #include "app/files/joints_file.h"
 #include "sim/base/errors.h"
+#include "sim/base/files/endings.h"
 #include "sim/base/files/output_file.h"
 #include "sim/rig/bodies/bone_options.h"
 #include "sim/rig/bodies/make_actor.h"
 #include "sim/rig/import/import.h"
 #include "sim/rig/limbs/fill_error.h"
+#include "sim/rig/skin/actor_skin.h"
 
 namespace knuckle {
 
@@ -60,6 +62,7 @@ Actor voxelizeModel(const VoxelizeFiles& files, const VoxelizeOptions& options, 
         const FillError error = fillError(actor, Solid(model.vertices, model.triangles));
         fmt::print("{}", actorTable(actor, figure, actorOptions.articulation, error));
     }
+    if (options.skin || endingOf(files.actor) == ".npz") actor.skin = makeActorSkin(actor, model);
     if (output) writeActor(*output, files.actor, actor);
     if (preview) {
         preview->write(pngOf(drawPreview(actor, figure, common)));

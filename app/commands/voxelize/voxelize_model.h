@@ -18,7 +18,7 @@ struct VoxelizeOptions {
     ModelFit fit;
     std::string up = "y";
     bool center = false;
-    bool grid = false, split = false;
+    bool grid = false, split = false, skin = false;
 };
 
 /// A model and what is written of it, if named.

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "app/commands/commands.h"
+#include "app/files/actor_file.h"
 #include "app/files/assets.h"
 #include "app/files/files_below.h"
 #include "app/files/run_paths.h"
@@ -138,7 +139,7 @@ int voxelizeModels(const VoxelizeOptions& options, const CommonOptions& common)
     const bool folder = options.output.ends_with('/') || options.preview.ends_with('/');
     if (models.size() > 1 || folder || models[0] != findAsset(options.models[0]))
         return voxelizeSeveral(models, options, common);
-    if (!options.output.empty()) requireEnding("-o ", options.output, "an actor", {".json", ".urdf", ".mjcf"});
+    if (!options.output.empty()) requireEnding("-o ", options.output, "an actor", actorEndings());
     if (!options.preview.empty()) requireEnding("--preview ", options.preview, "a picture", {".png"});
     const VoxelizeFiles files{models[0], options.output, options.preview};
     requireOwnPaths({files}, options);
