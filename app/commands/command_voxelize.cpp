@@ -37,7 +37,9 @@ void addVoxelizeCommand(CommandLine line)
         "  knuckle voxelize model.glb -o figure.npz                 the same in arrays, with skin weights, for "
         "numpy.load\n"
         "  knuckle voxelize model.glb -o figure.urdf                bodies with masses, joints with limits, capsules\n"
-        "  knuckle voxelize models/*.glb -o actors/                 each into actors/, and a line for each\n"
+        "  knuckle voxelize model.glb -o figure.json --levels 300,1000,4000   figure-300.json ..., with the same "
+        "bodies\n"
+        "  knuckle voxelize models/*.glb -o actors/ --jobs 2        each into actors/, and a line for each\n"
         "  knuckle voxelize model.glb --keep '*tail*' --merge 'hair*'   * is any part of a name, ? any letter\n"
         "  knuckle voxelize pair.fbx --skeleton Hips                one of two figures; without, their names are told\n"
         "  knuckle voxelize crates.obj --split                      parts that fall apart\n"
@@ -58,6 +60,20 @@ void addVoxelizeCommand(CommandLine line)
         ->check(CLI::Range(FEWEST_PARTICLES, MOST_PARTICLES))
         ->type_name("N")
         ->excludes(diameter);
+    command
+        ->add_option("--levels", options->levels,
+                     "An actor for each of these numbers of particles, all with the bodies and joints of the coarsest: "
+                     "actor-300.json, actor-1000.json")
+        ->check(CLI::Range(FEWEST_PARTICLES, MOST_PARTICLES))
+        ->type_name("N,N,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->excludes(diameter)
+        ->excludes("--particles");
+    command->add_option("--jobs", options->jobs, "So many models at once")
+        ->check(CLI::Range(1u, 64u))
+        ->capture_default_str()
+        ->type_name("N");
     command
         ->add_option("--skeleton", options->skeleton,
                      "Of a file with several skeletons the one of this root bone, with its meshes and clips")

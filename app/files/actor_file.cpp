@@ -171,7 +171,9 @@ std::string actorText(const Actor& actor)
     text += "," + listText("notes", actor.notes, stringText);
     text += "," + listText("particles", actor.particles, vectorText);
     text += "," + listText("outward", actor.outward, vectorText);
-    text += fmt::format(",\n  \"signedDistances\": [{}]", fmt::join(actor.signedDistances, ", "));
+    std::vector<std::string> distances;
+    for (const float distance : actor.signedDistances) distances.push_back(numberText(distance));
+    text += fmt::format(",\n  \"signedDistances\": [{}]", fmt::join(distances, ", "));
     if (!actor.skin.empty()) text += "," + skinText(actor.skin);
     return text + "\n}\n";
 }

@@ -41,7 +41,7 @@ std::string utf8Of(const std::vector<uint32_t>& codePoints)
         const bool isSurrogate = given >= 0xd800 && given < 0xe000;
         const uint32_t point = given > 0x10ffff || isSurrogate ? REPLACEMENT : given;
         const int more = point < 0x80 ? 0 : point < 0x800 ? 1 : point < 0x10000 ? 2 : 3;
-        text += static_cast<char>(more == 0 ? point : (0xf00u >> more & 0xffu) | point >> 6 * more);
+        text += static_cast<char>(more == 0 ? point : (0xff80u >> more & 0xffu) | point >> 6 * more);
         for (int k = more; k-- > 0;) text += static_cast<char>(0x80u | (point >> 6 * k & 0x3fu));
     }
     return text;

@@ -7,8 +7,9 @@
 
 namespace knuckle {
 
-/// The document of an actor as arrays of NumPy, docs/actor-format.md: a field is an array `NAME`, that of all bodies or
-/// joints `bodies_NAME`, `joints_NAME`; lists of lists have a second one, NAME_starts, of where each begins and the end.
+/// The document of an actor as arrays of NumPy, docs/actor-format.md: a field is an array `NAME`, that of all bodies
+/// or joints `bodies_NAME`, `joints_NAME`; lists of lists have a second one, NAME_starts, of where each begins and the
+/// last ends.
 /// @param document completed by its schema.
 ZipEntries arraysOf(const Json& document);
 
