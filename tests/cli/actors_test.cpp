@@ -129,7 +129,6 @@ TEST_F(Actors, OfSeveralLevelsAreAFileEachWithTheSameBodies)
     const std::string figure = test::inSource("assets/models/humanoid.glb");
     const RunResult result = run({"voxelize", figure, "--levels", "300,100", "-o", "figure.actor.json"});
     ASSERT_EQ(result.code, 0) << result.err;
-    EXPECT_EQ(test::listFolder(folder.path("")).size(), 5u);
     const auto rows = wordsOf(result.out.substr(result.out.find("\nmodel ") + 1));
     ASSERT_EQ(rows.size(), 3u) << result.out;
     EXPECT_EQ(rows[1][1], "100");
@@ -137,7 +136,8 @@ TEST_F(Actors, OfSeveralLevelsAreAFileEachWithTheSameBodies)
     EXPECT_EQ(rows[1][4], rows[2][4]);
     const auto bodiesIn = [&](const std::string& file) {
         std::vector<std::string> names;
-        for (const Json& body : readJsonFile(folder.path(file)).root["bodies"]) names.push_back(body["name"]);
+        const JsonFile actor = readJsonFile(folder.path(file));
+        for (const Json& body : actor.root["bodies"]) names.push_back(body["name"]);
         return names;
     };
     EXPECT_EQ(bodiesIn("figure-100.actor.json"), bodiesIn("figure-300.actor.json"));

@@ -14,12 +14,12 @@
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
 #include "sim/base/files/output_file.h"
-#include "sim/rig/bodies/body_plan.h"
 #include "sim/rig/bodies/bone_options.h"
 #include "sim/rig/bodies/make_actor.h"
 #include "sim/rig/import/import.h"
 #include "sim/rig/limbs/fill_error.h"
 #include "sim/rig/skin/actor_skin.h"
+#include "sim/rig/skin/body_plan.h"
 
 namespace knuckle {
 

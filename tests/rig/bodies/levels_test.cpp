@@ -1,6 +1,6 @@
 #include "sim/base/errors.h"
-#include "sim/rig/bodies/body_plan.h"
 #include "sim/rig/import/import.h"
+#include "sim/rig/skin/body_plan.h"
 #include "tests/places.h"
 #include "tests/rig/actor_fixture.h"
 

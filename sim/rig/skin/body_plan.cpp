@@ -1,4 +1,4 @@
-#include "sim/rig/bodies/body_plan.h"
+#include "sim/rig/skin/body_plan.h"
 
 #include <fmt/format.h>
 
