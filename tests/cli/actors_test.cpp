@@ -150,9 +150,8 @@ TEST_F(Actors, OfSeveralLevelsAreAFileEachWithTheSameBodies)
 TEST_F(Actors, OfSeveralModelsAreTheSameWithMoreJobs)
 {
     for (const char* jobs : {"1", "3"}) {
-        const RunResult result = run({"voxelize", "models", "--levels", "50,200", "--diameter", "0.25"});
-        EXPECT_EQ(result.code, 2);
-        run({"voxelize", "models", "--levels", "50,200", "-o", std::string("out") + jobs, "--jobs", jobs});
+        const std::string out = std::string("out") + jobs;
+        EXPECT_EQ(run({"voxelize", "models", "--levels", "50,200", "-o", out, "--jobs", jobs}).code, 2);
     }
     EXPECT_EQ(test::listFolder(folder.path("out1")),
               (std::vector<std::string>{"cube-200.actor.json", "cube-50.actor.json", "slab-200.actor.json",
