@@ -131,12 +131,13 @@ lists=$(mktemp -d)
 trap 'rm -rf "$lists"' EXIT
 export LC_ALL=C
 find "${folders[@]}" -type f | sed 's#.*/##' | sort -u >"$lists/files"
-# Stems of all files and targets of the build; Python's names; keys of exported JSON; and foreign words that look like kernels: of GLSL, C++, CMake, stb, and
+# Stems of all files and targets of the build; Python's names; keys of exported JSON and arrays; and foreign words that look like kernels: of GLSL, C++, CMake, stb, and
 # of Macklin and Müller 2013.
 { sed 's/\..*//' "$lists/files"; grep -rhoE '\b(knuckle|make)_[a-z_]+' --include=CMakeLists.txt "${folders[@]}"
   grep -ohE '[a-z]+(_[a-z]+)+' app/python/knuckle/__init__.pyi
   grep -rhoE '"[a-z]+(_[a-z0-9]+)+"' app/export | tr -d '"'
-  printf '%s\n' local_size_x uint32_t stb_image_write s_corr vdb_print find_package add_subdirectory; } | sort -u >"$lists/stems"
+  grep -hoE '"[a-z]+(_[a-z]+)+' app/files/npz/actor_fields.cpp | tr -d '"'   # up to a capital, as below
+  printf '%s\n' bodies_particles_starts joints_limits local_size_x uint32_t stb_image_write s_corr vdb_print find_package add_subdirectory; } | sort -u >"$lists/stems"
 grep -rhoE '^TEST(_F|_P)?\([A-Za-z0-9]+, *[A-Za-z0-9]+' --include='*.cpp' tests |
     sed -E 's/^TEST(_F|_P)?\(//; s/, */./' | sort -u >"$lists/tests"
 find app render shaders sim tests tools -name '*.cpp' -o -name '*.h' -o -name '*.glsl' -o -name '*.comp' \

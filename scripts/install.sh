@@ -4,7 +4,7 @@ set -euo pipefail
 
 packages=(build-essential cmake ninja-build pkg-config ccache libegl-dev libgl-dev libepoxy-dev libegl1
     libgl1-mesa-dri libeigen3-dev libassimp-dev zlib1g-dev libstb-dev libdeflate-dev nlohmann-json3-dev libcli11-dev
-    libfmt-dev libcpp-httplib-dev libmeshoptimizer-dev libwebp-dev libzstd-dev libpng-dev libjpeg-dev libopenexr-dev libgtest-dev
+    libfmt-dev libcpp-httplib-dev libmeshoptimizer-dev libminizip-dev libwebp-dev libzstd-dev libpng-dev libjpeg-dev libopenexr-dev libgtest-dev
     pybind11-dev python3-dev python3-numpy
     libopengl0 fonts-dejavu-core ffmpeg git ca-certificates)
 [[ ${1:-} == --checks ]] && packages+=(clang-format clang-tidy)

@@ -91,7 +91,7 @@ void addCheckCommand(CommandLine line)
         "at 1000 kg/m3, and which joints turn otherwise than they say.\n"
         "Tells where animated objects pass through colliders or each other, and how far.\n"
         "Exit code 2 when one of them is wrong; all are checked.\n\nExample:\n"
-        "  knuckle check assets/scenes/*.json actors/*.json");
+        "  knuckle check assets/scenes/*.json actors/*.json actors/*.npz");
     auto paths = std::make_shared<std::vector<std::string>>();
     auto sets = std::make_shared<std::vector<std::string>>();
     command->add_option("FILE", *paths, "Scene or actor files")->required();

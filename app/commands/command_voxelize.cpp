@@ -34,8 +34,12 @@ void addVoxelizeCommand(CommandLine line)
         "Examples:\n"
         "  knuckle voxelize model.glb                               print the table only\n"
         "  knuckle voxelize model.glb -o actor.json --particles 3000 --preview actor.png\n"
+        "  knuckle voxelize model.glb -o figure.npz                 the same in arrays, with skin weights, for "
+        "numpy.load\n"
         "  knuckle voxelize model.glb -o figure.urdf                bodies with masses, joints with limits, capsules\n"
-        "  knuckle voxelize models/*.glb -o actors/                 each into actors/, and a line for each\n"
+        "  knuckle voxelize model.glb -o figure.json --levels 300,1000,4000   figure-300.json ..., with the same "
+        "bodies\n"
+        "  knuckle voxelize models/*.glb -o actors/ --jobs 2        each into actors/, and a line for each\n"
         "  knuckle voxelize model.glb --keep '*tail*' --merge 'hair*'   * is any part of a name, ? any letter\n"
         "  knuckle voxelize pair.fbx --skeleton Hips                one of two figures; without, their names are told\n"
         "  knuckle voxelize crates.obj --split                      parts that fall apart\n"
@@ -44,10 +48,10 @@ void addVoxelizeCommand(CommandLine line)
     command->add_option("MODEL", options->models, "The rigged model; several, or folders of them: each by itself")
         ->required();
     command
-        ->add_option(
-            "-o,--output", options->output,
-            "Write the actor here, for simulators of robots as .urdf or .mjcf; - is standard output; of several "
-            "models a folder")
+        ->add_option("-o,--output", options->output,
+                     "Write the actor here, as arrays of NumPy as .npz, for simulators of robots as .urdf or .mjcf; - "
+                     "is standard "
+                     "output; of several models a folder")
         ->type_name("actor.json");
     auto* diameter = command->add_option("--diameter", options->diameter, "Diameter of a particle [m]")
                          ->check(numberBetween(SMALLEST_DIAMETER, 10.0))
@@ -56,6 +60,20 @@ void addVoxelizeCommand(CommandLine line)
         ->check(CLI::Range(FEWEST_PARTICLES, MOST_PARTICLES))
         ->type_name("N")
         ->excludes(diameter);
+    command
+        ->add_option("--levels", options->levels,
+                     "An actor for each of these numbers of particles, all with the bodies and joints of the coarsest: "
+                     "actor-300.json, actor-1000.json")
+        ->check(CLI::Range(FEWEST_PARTICLES, MOST_PARTICLES))
+        ->type_name("N,N,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->excludes(diameter)
+        ->excludes("--particles");
+    command->add_option("--jobs", options->jobs, "So many models at once")
+        ->check(CLI::Range(1u, 64u))
+        ->capture_default_str()
+        ->type_name("N");
     command
         ->add_option("--skeleton", options->skeleton,
                      "Of a file with several skeletons the one of this root bone, with its meshes and clips")
@@ -89,6 +107,8 @@ void addVoxelizeCommand(CommandLine line)
     list("--keep", options->keep, "Bones that get a body of their own where they are large enough");
     list("--merge", options->merge, "Bones that are part of the body that they hang on");
     command->add_flag("--grid", options->grid, "All particles on one grid, not those of a limb on one along its bone");
+    command->add_flag("--skin", options->skin,
+                      "Write the mesh with the weights of its vertices and of particles as well; .npz always has them");
     command
         ->add_option("--preview", options->preview,
                      "Draw the actor from front and side: particles under its skin, joints with their limits; "

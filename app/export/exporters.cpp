@@ -11,7 +11,8 @@
 #include "app/export/gltf.h"
 #include "app/export/layers/layers.h"
 #include "app/export/measures.h"
-#include "app/export/ply.h"
+#include "app/export/points/bgeo.h"
+#include "app/export/points/ply.h"
 #include "app/export/surface/surface.h"
 #include "app/export/vdb/vdb.h"
 #include "app/export/vtk/vtk.h"
@@ -55,6 +56,11 @@ const std::vector<ExportKind>& exportKinds()
          "per frame: the same, radius, and density of fluids, VTK PolyData; frames.pvd is all of them",
          {},
          make<VtkExport>},
+        {"bgeo",
+         "FOLDER",
+         "per frame: the same as points, P, v, id, pscale ..., Houdini's classic .bgeo, for Partio and splashsurf",
+         {},
+         make<BgeoExport>},
         {"bodies", "FILE.csv", "frame, body, object, name, position, quaternion, velocity, angular velocity, CSV",
          TABLE, make<BodyExport>},
         {"measures", "FILE.csv", "per frame: contacts, penetration, joint gaps, rigidity, strain, density, energy, CSV",

@@ -8,10 +8,14 @@
 #include <system_error>
 
 #include "app/files/actor_check.h"
+#include "app/files/actor_mass.h"
+#include "app/files/npz/actor_arrays.h"
 #include "app/files/robot/robot.h"
+#include "app/files/skin_text.h"
 #include "app/json/fields.h"
 #include "app/json/joint_limits.h"
 #include "app/json/json.h"
+#include "app/json/list_text.h"
 #include "app/schema/schema.h"
 #include "sim/base/files/endings.h"
 
@@ -21,11 +25,12 @@ namespace {
 
 constexpr int ACTOR_VERSION = 1;
 constexpr const char* ACTOR_FORMAT = "knuckle-actor";
+constexpr const char* NPZ = ".npz";
 
-/// The shortest decimals that read back as the same float.
-std::string vectorText(const Vector3f& v)
+const Schema& actorSchema()
 {
-    return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
+    static const Schema schema("actor.schema.json");
+    return schema;
 }
 
 std::string stringText(const std::string& text)
@@ -33,22 +38,19 @@ std::string stringText(const std::string& text)
     return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// `"name": [` with one element per line.
-template <typename T, typename Text>
-std::string listText(const char* name, const std::vector<T>& elements, Text&& text)
+std::string massText(const ActorMass& body)
 {
-    std::vector<std::string> lines;
-    for (const T& element : elements) lines.push_back("    " + text(element));
-    return fmt::format(",\n  \"{}\": [{}{}{}]", name, lines.empty() ? "" : "\n", fmt::join(lines, ",\n"),
-                       lines.empty() ? "" : "\n  ");
+    const auto row = [&](int k) { return vectorText(body.inertia.row(k)); };
+    return fmt::format("\"mass\": {}, \"centre\": {}, \"inertia\": [{}, {}, {}]", body.mass, vectorText(body.centre),
+                       row(0), row(1), row(2));
 }
 
-std::string bodyText(const ActorBody& body)
+std::string bodyText(const ActorBody& body, const ActorMass& mass)
 {
     std::vector<std::string> merged;
     for (const std::string& bone : body.mergedBones) merged.push_back(stringText(bone));
-    return fmt::format("{{ \"name\": {}, \"parent\": {}, {}\"mergedBones\": [{}], \"particles\": [{}] }}",
-                       stringText(body.name), body.parent, body.isCross ? "\"cross\": true, " : "",
+    return fmt::format("{{ \"name\": {}, \"parent\": {}, {}{}, \"mergedBones\": [{}], \"particles\": [{}] }}",
+                       stringText(body.name), body.parent, body.isCross ? "\"cross\": true, " : "", massText(mass),
                        fmt::join(merged, ", "), fmt::join(body.particles, ", "));
 }
 
@@ -160,13 +162,28 @@ std::string actorText(const Actor& actor)
                                    "  \"diameter\": {}",
                                    ACTOR_FORMAT, ACTOR_VERSION, stringText(actor.name), actor.diameter);
     text += sourceText(actor.model);
-    text += listText("bodies", actor.bodies, bodyText);
-    text += listText("joints", actor.joints, jointText);
-    text += listText("notes", actor.notes, stringText);
-    text += listText("particles", actor.particles, vectorText);
-    text += listText("outward", actor.outward, vectorText);
-    text += fmt::format(",\n  \"signedDistances\": [{}]\n}}\n", fmt::join(actor.signedDistances, ", "));
-    return text;
+    const std::vector<ActorMass> masses = massesOf(actor);
+    const auto bodyOf = [&](const ActorBody& body) {
+        return bodyText(body, masses[static_cast<size_t>(&body - actor.bodies.data())]);
+    };
+    text += "," + listText("bodies", actor.bodies, bodyOf);
+    text += "," + listText("joints", actor.joints, jointText);
+    text += "," + listText("notes", actor.notes, stringText);
+    text += "," + listText("particles", actor.particles, vectorText);
+    text += "," + listText("outward", actor.outward, vectorText);
+    std::vector<std::string> distances;
+    for (const float distance : actor.signedDistances) distances.push_back(numberText(distance));
+    text += fmt::format(",\n  \"signedDistances\": [{}]", fmt::join(distances, ", "));
+    if (!actor.skin.empty()) text += "," + skinText(actor.skin);
+    return text + "\n}\n";
+}
+
+/// As a file of that ending has it.
+std::string bytesOf(const Actor& actor, const std::string& ending)
+{
+    if (ending == ".urdf") return urdfOf(robotOf(actor));
+    if (ending == ".mjcf") return mjcfOf(robotOf(actor));
+    return ending == NPZ ? npzText(actor) : actorText(actor);
 }
 
 void writeActor(OutputFile& file, const std::string& path, const Actor& actor)
@@ -178,32 +195,55 @@ void writeActor(OutputFile& file, const std::string& path, const Actor& actor)
     const fs::path folder = file.isStream() ? fs::current_path(gone) : fs::absolute(path, gone).parent_path();
     if (std::string& model = placed.model.file; !model.empty() && !gone)
         model = fs::absolute(model, gone).lexically_proximate(folder).generic_string();
-    const std::string ending = endingOf(path);
-    file.write(ending == ".urdf"   ? urdfOf(robotOf(actor))
-               : ending == ".mjcf" ? mjcfOf(robotOf(actor))
-                                   : actorText(placed));
+    file.write(bytesOf(placed, endingOf(path)));
     file.commit();
 }
 
 void writeActor(const std::string& path, const Actor& actor)
 {
+    requireEnding("", path, "an actor", actorEndings());
     OutputFile file(path);
     writeActor(file, path, actor);
+}
+
+std::string npzText(const Actor& actor)
+{
+    JsonFile file{actor.name, Json::parse(actorText(actor))};
+    actorSchema().complete(file);
+    return zipOf(arraysOf(file.root));
+}
+
+const std::vector<const char*>& actorEndings()
+{
+    static const std::vector<const char*> ENDINGS{".json", NPZ, ".urdf", ".mjcf"};
+    return ENDINGS;
+}
+
+bool isActorName(const std::string& path)
+{
+    return endingOf(path) == ".json" || endingOf(path) == NPZ;
 }
 
 bool isActorFile(const std::string& path)
 {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return false;
+    if (endingOf(path) == NPZ) return true;
     const Json root = readJsonFile(path).root;
     return root.is_object() && root.contains("format") && root["format"] == ACTOR_FORMAT;
 }
 
 Actor readActor(const std::string& path)
 {
-    static const Schema schema("actor.schema.json");
-    JsonFile file = readJsonFile(path);
-    schema.complete(file);
+    const bool isArchive = endingOf(path) == NPZ;
+    return actorOf(isArchive ? JsonFile{path, documentOf(readZip(readInput(path, "an actor"), path), path)}
+                             : readJsonFile(path));
+}
+
+Actor actorOf(JsonFile file)
+{
+    actorSchema().complete(file);
+    const std::string& path = file.path;
     const Json& root = file.root;
     Actor actor;
     readValue(root["name"], actor.name);
@@ -222,6 +262,8 @@ Actor readActor(const std::string& path)
         actor.joints.push_back(readJoint(file, joint, actor.joints.size(), actor));
     }
     requireConsistent(path, actor);
+    requireMasses(path, root, actor);
+    actor.skin = readSkin(path, root, actor);
     return actor;
 }
 

@@ -82,7 +82,7 @@ Json parseJson(const std::string& text, const std::string& name)
     }
 }
 
-JsonFile readJsonFile(const std::string& path)
+std::string readInput(const std::string& path, const char* kind)
 {
     std::error_code failure;
     const auto status = std::filesystem::status(path, failure);
@@ -90,14 +90,19 @@ JsonFile readJsonFile(const std::string& path)
     if (std::filesystem::is_directory(status)) throw InputError(fmt::format("{}: is a folder, not a file", path));
     const auto bytes = std::filesystem::file_size(path, failure);
     if (!failure && bytes > MAX_FILE_BYTES) {
-        throw InputError(fmt::format("{}: {} MiB is too large for a JSON file, the limit is {} MiB", path, bytes >> 20,
+        throw InputError(fmt::format("{}: {} MiB is too large for {}, the limit is {} MiB", path, bytes >> 20, kind,
                                      MAX_FILE_BYTES >> 20));
     }
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
     if (!file) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-    return {path, parseJson(text.str(), path)};
+    return text.str();
+}
+
+JsonFile readJsonFile(const std::string& path)
+{
+    return {path, parseJson(readInput(path, "a JSON file"), path)};
 }
 
 void failAt(const std::string& path, const std::string& pointer, const std::string& message)

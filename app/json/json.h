@@ -22,6 +22,9 @@ struct JsonFile {
 JsonFile readJsonFile(const std::string& path);
 /// The same for text in memory.
 Json parseJson(const std::string& text, const std::string& name);
+/// The bytes of a file that is read whole. @param kind what it should be, for errors: "a JSON file".
+/// @throws InputError for one that is missing, a folder, or larger than 256 MiB.
+std::string readInput(const std::string& path, const char* kind);
 
 /// @throws InputError `path: pointer: message`, the form of every error in a document.
 [[noreturn]] void failAt(const std::string& path, const std::string& pointer, const std::string& message);

@@ -24,11 +24,15 @@ void bindFilm(pybind11::module_& module);
 /// A picture of uint8 [height, width, 3 or 4]: alpha does not count. @throws InputError for anything else.
 Image imageOf(const pybind11::object& source);
 
-/// What json.dumps() makes of it.
-inline std::string jsonText(const pybind11::handle& value)
+/// What json.dumps() makes of it. @param other what is called for values that it does not know.
+inline std::string jsonText(const pybind11::handle& value, const pybind11::object& other = pybind11::none())
 {
-    return pybind11::module_::import("json").attr("dumps")(value).cast<std::string>();
+    using pybind11::literals::operator""_a;
+    return pybind11::module_::import("json").attr("dumps")(value, "default"_a = other).cast<std::string>();
 }
+
+/// For jsonText(): instead of an Actor the name of a file that has it, until the program ends.
+pybind11::object fileOfActor();
 
 /// float32 [n, 3], a copy.
 inline pybind11::array_t<float> arrayOf(const std::vector<Eigen::Vector3f>& vectors)

@@ -27,7 +27,7 @@ std::shared_ptr<Scene> loadFile(const std::filesystem::path& path, const py::dic
 
 std::shared_ptr<Scene> loadDict(const py::dict& document, const py::dict& changes, const std::filesystem::path& folder)
 {
-    Json json = Json::parse(jsonText(document));
+    Json json = Json::parse(jsonText(document, fileOfActor()));
     for (const Override& change : overridesOf(changes)) applyOverride(json, change);
     return std::make_shared<Scene>(loadStoredScene((folder / "scene").string(), json.dump()));
 }
@@ -49,7 +49,9 @@ void bindScene(py::module_& module)
                     "Reads a scene file. `changes`: fields by their path, as in {'solver.substeps': 8}.\n\n"
                     "Raises InputError with the file and the JSON pointer of what is wrong.")
         .def_static("load", &loadDict, "document"_a, "changes"_a = py::dict(), "folder"_a = ".",
-                    "The same for a dict with the fields of a scene file; `folder` is where files that it names lie.")
+                    "The same for a dict with the fields of a scene file; `folder` is where files that it names lie. "
+                    "The `file` "
+                    "of an object may be an Actor.")
         .def_readonly("name", &Scene::name)
         .def_readonly("description", &Scene::description)
         .def_readonly("duration", &Scene::duration, "Of its film [s].")

@@ -73,7 +73,7 @@ const Actor& SceneFiles::actor(const Json& object, const std::string& pointer, f
 {
     const std::string path = existing(object["file"], pointer + "/file"), key = actorKey(object, diameter);
     if (const auto found = actors_.find(key); found != actors_.end()) return found->second;
-    const bool isActorFile = object["type"] == "actor" && endingOf(path) == ".json";
+    const bool isActorFile = object["type"] == "actor" && isActorName(path);
     try {
         Actor made = isActorFile ? load(object, path, pointer, diameter) : voxelize(object, path, pointer, diameter);
         if (diameter == 0.0f) actors_.emplace(actorKey(object, made.diameter), made);

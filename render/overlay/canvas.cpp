@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/utf8.h"
+
 namespace knuckle {
 
 namespace {

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "sim/base/errors.h"
+#include "sim/base/utf8.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -21,38 +22,6 @@
 #pragma GCC diagnostic pop
 
 namespace knuckle {
-
-namespace {
-
-constexpr uint32_t REPLACEMENT = 0xfffd;
-
-/// Bytes that follow the first one of a letter; -1: it is none.
-int followers(uint8_t first)
-{
-    if (first < 0x80) return 0;
-    if (first >= 0xc2 && first < 0xe0) return 1;
-    if (first >= 0xe0 && first < 0xf0) return 2;
-    return first >= 0xf0 && first < 0xf5 ? 3 : -1;
-}
-
-}  // namespace
-
-std::vector<uint32_t> codePointsOf(std::string_view text)
-{
-    std::vector<uint32_t> points;
-    for (size_t i = 0; i < text.size();) {
-        const auto first = static_cast<uint8_t>(text[i++]);
-        const int more = followers(first);
-        uint32_t point = more <= 0 ? first : first & (0x3fu >> more);
-        int found = 0;
-        while (found < more && i < text.size() && (static_cast<uint8_t>(text[i]) & 0xc0) == 0x80) {
-            point = point << 6 | (static_cast<uint8_t>(text[i++]) & 0x3fu);
-            ++found;
-        }
-        points.push_back(more < 0 || found < more ? REPLACEMENT : point);
-    }
-    return points;
-}
 
 struct Font::File {
     std::string bytes;

@@ -10,9 +10,6 @@
 
 namespace knuckle {
 
-/// Code points of UTF-8; what is none of it becomes U+FFFD.
-std::vector<uint32_t> codePointsOf(std::string_view text);
-
 /// The ink of a letter, 0 to 255, top row first.
 struct Glyph {
     int left = 0, top = 0;  ///< Of the ink, from the pen's place on the base line [pixels]; down is positive.

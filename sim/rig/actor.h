@@ -33,6 +33,21 @@ struct ActorJoint {
     JointStrength strength = {};
 };
 
+/// The bodies that move a point, heaviest first.
+struct BodyWeights {
+    std::array<uint32_t, 4> bodies{};          ///< Into Actor::bodies.
+    std::array<float, 4> weights{1, 0, 0, 0};  ///< Sum 1.
+};
+
+/// The mesh that an actor was made of, for those who move it themselves.
+struct ActorSkin {
+    std::vector<Vector3f> vertices;  ///< At rest [m].
+    std::vector<std::array<uint32_t, 3>> triangles;
+    std::vector<BodyWeights> ofVertices, ofParticles;  ///< Of particles: as many as the actor has, or none.
+
+    bool empty() const { return vertices.empty() && ofParticles.empty(); }
+};
+
 struct Actor {
     std::string name;
     float diameter = 0.05f;              ///< Particle diameter [m].
@@ -45,6 +60,7 @@ struct Actor {
     std::vector<std::array<uint32_t, 2>> filtered = {};
     ModelSource model = {};          ///< What it was made from.
     std::vector<std::string> notes;  ///< What was merged, dropped or assumed, one sentence each.
+    ActorSkin skin = {};             ///< Of makeActorSkin(), or none.
 };
 
 /// The body that a body hangs on, past the cross of a universal joint; -1 for the first.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/no_index.h"
 #include "sim/rig/mesh/voxelize.h"
 #include "sim/world/joint/joint.h"
 
@@ -25,11 +26,21 @@ struct ArticulationOptions {
     bool clearJoints = true;
 };
 
+/// Which bones have bodies, as decided for an actor of the same model (planOf()).
+struct BodyPlan {
+    std::vector<uint32_t> owners;  ///< Per bone of the model, the bone of the body that moves it; empty: no plan.
+    std::vector<uint32_t> above;   ///< Per bone with a body, the bone of its parent; NO_INDEX: none.
+
+    bool empty() const { return owners.empty(); }
+    bool hasBody(uint32_t bone) const { return owners[bone] == bone; }
+};
+
 struct ActorOptions {
     std::string name;  ///< Empty: the model's.
     VoxelOptions voxels;
     uint32_t particleCount = 0;  ///< Of the actor that makeActor() makes; 0: the diameter decides.
     ArticulationOptions articulation;
+    BodyPlan plan = {};      ///< Bodies at any diameter, instead of those that it has room for.
     bool alongBones = true;  ///< Long limbs get lattices of their own (fillAlongBones()), instead of one for all.
 };
 

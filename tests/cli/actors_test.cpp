@@ -124,5 +124,52 @@ TEST_F(Actors, OfTheProjectsOwnModelsAreFine)
     EXPECT_EQ(check.out.find("warning"), std::string::npos) << check.out;
 }
 
+TEST_F(Actors, OfSeveralLevelsAreAFileEachWithTheSameBodies)
+{
+    const std::string figure = test::inSource("assets/models/humanoid.glb");
+    const RunResult result = run({"voxelize", figure, "--levels", "300,100", "-o", "figure.actor.json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const auto rows = wordsOf(result.out.substr(result.out.find("\nmodel ") + 1));
+    ASSERT_EQ(rows.size(), 3u) << result.out;
+    EXPECT_EQ(rows[1][1], "100");
+    EXPECT_EQ(rows[2][1], "300");
+    EXPECT_EQ(rows[1][4], rows[2][4]);
+    const auto bodiesIn = [&](const std::string& file) {
+        std::vector<std::string> names;
+        const JsonFile actor = readJsonFile(folder.path(file));
+        for (const Json& body : actor.root["bodies"]) names.push_back(body["name"]);
+        return names;
+    };
+    EXPECT_EQ(bodiesIn("figure-100.actor.json"), bodiesIn("figure-300.actor.json"));
+    const RunResult alone = run({"-q", "voxelize", figure, "--particles", "300", "-o", "alone.json"});
+    EXPECT_GT(bodiesIn("alone.json").size(), bodiesIn("figure-300.actor.json").size());
+    expectError(run({"voxelize", figure, "--levels", "300,1000", "-o", "-"}), 2,
+                "-o -: levels are a file each; name one, as in -o actor.json");
+}
+
+TEST_F(Actors, OfSeveralModelsAreTheSameWithMoreJobs)
+{
+    for (const char* jobs : {"1", "3"}) {
+        const std::string out = std::string("out") + jobs;
+        EXPECT_EQ(run({"voxelize", "models", "--levels", "50,200", "-o", out, "--jobs", jobs}).code, 2);
+    }
+    EXPECT_EQ(test::listFolder(folder.path("out1")),
+              (std::vector<std::string>{"cube-200.actor.json", "cube-50.actor.json", "slab-200.actor.json",
+                                        "slab-50.actor.json"}));
+    for (const std::string& file : test::listFolder(folder.path("out1")))
+        EXPECT_EQ(test::readText(folder.path("out1/" + file)), test::readText(folder.path("out3/" + file))) << file;
+}
+
+TEST_F(Actors, AreArraysWhereTheNameSaysSo)
+{
+    EXPECT_EQ(run({"-q", "voxelize", "models/cube.obj", "--diameter", "0.25", "-o", "cube.npz"}).code, 0);
+    const RunResult check = run({"check", "cube.npz"});
+    EXPECT_EQ(check.out, "cube.npz: 41 particles, 1 body, 0 joints, particles of 0.25 m, 640.6 kg at 1000 kg/m3\n");
+    folder.write("scene.json", R"({ "objects": [{ "type": "actor", "file": "cube.npz" }] })");
+    EXPECT_EQ(run({"check", "scene.json"}).code, 0);
+    folder.write("text.npz", "{}");
+    expectError(run({"check", "text.npz"}), 2, "text.npz: is no zip archive, or ends early; save it again");
+}
+
 }  // namespace
 }  // namespace knuckle

@@ -35,8 +35,9 @@ TEST_F(Words, OfAnotherKindOfFileAreRefusedWithTheListOfWhatIsKnown)
         std::vector<std::string> words;
         const char* message;
     } cases[] = {
-        {{"voxelize", "none.obj", "-o", "spot.ply"}, "-o spot.ply: an actor is written as .json or .urdf or .mjcf"},
-        {{"voxelize", "none.obj", "-o", "spot"}, "-o spot: an actor is written as .json or .urdf or .mjcf"},
+        {{"voxelize", "none.obj", "-o", "spot.ply"},
+         "-o spot.ply: an actor is written as .json or .npz or .urdf or .mjcf"},
+        {{"voxelize", "none.obj", "-o", "spot"}, "-o spot: an actor is written as .json or .npz or .urdf or .mjcf"},
         {{"voxelize", "none.obj", "--preview", "spot.jpg"}, "--preview spot.jpg: a picture is written as .png"},
         {{"compare", "a.png", "b.png", "--difference", "d.bmp"}, "--difference d.bmp: a picture is written as .png"},
         {{"render", scene, "--export", "gltf=a.bvh"}, "--export gltf=a.bvh: a motion as glTF is written as .glb"},
@@ -46,7 +47,8 @@ TEST_F(Words, OfAnotherKindOfFileAreRefusedWithTheListOfWhatIsKnown)
         {{"render", scene, "--export", "gltf=a.gltf"},
          "--export gltf=a.gltf: it is written as binary glTF; name it a.glb"},
         {{"render", scene, "--export", "obj=x"},
-         "--export obj=x: must be ply=FOLDER, vtk=FOLDER, bodies=FILE.csv, measures=FILE.csv, bvh=FILE.bvh, "
+         "--export obj=x: must be ply=FOLDER, vtk=FOLDER, bgeo=FOLDER, bodies=FILE.csv, measures=FILE.csv, "
+         "bvh=FILE.bvh, "
          "gltf=FILE.glb, surface=FOLDER, vdb=FOLDER or "
          "layers=FOLDER"},
         {{"render", scene, "--stats", "a.csv"}, "--stats a.csv: a file of figures is written as .json or .txt"},

@@ -5,6 +5,7 @@ cd "$(dirname "$0")/../.."
 export PYTHONPATH=$1/python KNUCKLE=$1/bin/knuckle
 "$2" -W error tests/python/test_knuckle.py
 "$2" -W error tests/python/test_changes.py
+"$2" -W error tests/python/test_actors.py
 
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <list>
+#include <mutex>
 #include <optional>
 
 #include "app/commands/voxelize/actor_preview.h"
@@ -10,62 +12,110 @@
 #include "app/files/actor_file.h"
 #include "app/files/joints_file.h"
 #include "sim/base/errors.h"
+#include "sim/base/files/endings.h"
 #include "sim/base/files/output_file.h"
 #include "sim/rig/bodies/bone_options.h"
 #include "sim/rig/bodies/make_actor.h"
 #include "sim/rig/import/import.h"
 #include "sim/rig/limbs/fill_error.h"
+#include "sim/rig/skin/actor_skin.h"
+#include "sim/rig/skin/body_plan.h"
 
 namespace knuckle {
 
 namespace {
 
-Model readModel(const std::string& path, const ImportOptions& options)
+/// Reading forks, and drawing has a device: by one thread at a time.
+std::mutex& oneAtATime()
 {
+    static std::mutex mutex;
+    return mutex;
+}
+
+Model readModel(const std::string& path, const VoxelizeOptions& options, ImportOptions& import)
+{
+    import.fit = options.fit;
+    import.fit.up = options.up == "z" ? UpAxis::Z : UpAxis::Y;
+    import.fit.centering = options.center ? Centering::Always : Centering::WhereFar;
+    import.surface = true;  // to note looks that cannot be read
+    import.pick = {options.skeleton, options.split};
     try {
-        return importModel(path, options);
+        const std::lock_guard lock(oneAtATime());
+        return importModel(path, import);
     } catch (const SkeletonError& error) {
         throw InputError(
             fmt::format("{}; choose one by --skeleton NAME, or all as one by --skeleton '*'", error.what()));
     }
 }
 
+ActorOptions actorOptionsOf(const VoxelizeOptions& options)
+{
+    ActorOptions actor;
+    actor.voxels.diameter = static_cast<float>(options.diameter);
+    actor.alongBones = !options.grid;
+    actor.articulation.keep = options.keep;
+    actor.articulation.merge = options.merge;
+    if (!options.joints.empty()) readJoints(options.joints, actor.articulation);
+    return actor;
+}
+
+/// An actor for each level, all with the bodies of the first.
+std::vector<Actor> actorsOf(const std::string& path, const Figure& figure, const std::vector<VoxelizeFiles>& levels,
+                            ActorOptions options)
+{
+    std::vector<Actor> actors;
+    for (const VoxelizeFiles& level : levels) {
+        options.particleCount = level.particles;
+        if (!actors.empty()) options.plan = planOf(actors.front(), figure.model);
+        actors.push_back(makeActor(figure, options));
+        requireUsable(path, actors.back());
+        if (const std::string difference = differenceOf(actors.front(), actors.back()); !difference.empty())
+            throw InputError(fmt::format("{}: at {} particles the bodies are others than at {}: {}; leave one out of "
+                                         "--levels",
+                                         path, level.particles, levels.front().particles, difference));
+    }
+    return actors;
+}
+
+/// The files of a level, opened before any work.
+struct OpenedFiles {
+    std::optional<OutputFile> actor, preview;
+
+    explicit OpenedFiles(const VoxelizeFiles& files)
+    {
+        if (!files.actor.empty()) actor.emplace(files.actor);
+        if (!files.preview.empty()) preview.emplace(files.preview);
+    }
+};
+
 }  // namespace
 
-Actor voxelizeModel(const VoxelizeFiles& files, const VoxelizeOptions& options, const CommonOptions& common,
-                    bool prints)
+std::vector<Actor> voxelizeModel(const std::string& path, const std::vector<VoxelizeFiles>& levels,
+                                 const VoxelizeOptions& options, const CommonOptions& common, bool prints)
 {
-    std::optional<OutputFile> output, preview;
-    if (!files.actor.empty()) output.emplace(files.actor);
-    if (!files.preview.empty()) preview.emplace(files.preview);
+    std::list<OpenedFiles> opened;
+    for (const VoxelizeFiles& files : levels) opened.emplace_back(files);
+    const ActorOptions actorOptions = actorOptionsOf(options);
     ImportOptions import;
-    import.fit = options.fit;
-    import.fit.up = options.up == "z" ? UpAxis::Z : UpAxis::Y;
-    import.fit.centering = options.center ? Centering::Always : Centering::WhereFar;
-    import.surface = true;  // to note looks that cannot be read
-    ActorOptions actorOptions;
-    actorOptions.voxels.diameter = static_cast<float>(options.diameter);
-    actorOptions.particleCount = options.particles;
-    actorOptions.alongBones = !options.grid;
-    actorOptions.articulation.keep = options.keep;
-    actorOptions.articulation.merge = options.merge;
-    if (!options.joints.empty()) readJoints(options.joints, actorOptions.articulation);
-    import.pick = {options.skeleton, options.split};
-    const Model model = readModel(files.model, import);
+    const Model model = readModel(path, options, import);
     const Figure figure = readFigure(model, rolesWanted(model, actorOptions.articulation));
-    Actor actor = makeActor(figure, actorOptions);
-    actor.model = {files.model, import.fit, import.pick};
-    requireUsable(files.model, actor);
+    std::vector<Actor> actors = actorsOf(path, figure, levels, actorOptions);
     if (prints) {
-        const FillError error = fillError(actor, Solid(model.vertices, model.triangles));
-        fmt::print("{}", actorTable(actor, figure, actorOptions.articulation, error));
+        const FillError error = fillError(actors.front(), Solid(model.vertices, model.triangles));
+        fmt::print("{}", actorTable(actors.front(), figure, actorOptions.articulation, error));
     }
-    if (output) writeActor(*output, files.actor, actor);
-    if (preview) {
-        preview->write(pngOf(drawPreview(actor, figure, common)));
-        preview->commit();
+    auto files = opened.begin();
+    for (size_t k = 0; k < levels.size(); ++k, ++files) {
+        Actor& actor = actors[k];
+        actor.model = {path, import.fit, import.pick};
+        if (options.skin || endingOf(levels[k].actor) == ".npz") actor.skin = makeActorSkin(actor, model);
+        if (files->actor) writeActor(*files->actor, levels[k].actor, actor);
+        if (!files->preview) continue;
+        const std::lock_guard lock(oneAtATime());
+        files->preview->write(pngOf(drawPreview(actor, figure, common)));
+        files->preview->commit();
     }
-    return actor;
+    return actors;
 }
 
 }  // namespace knuckle

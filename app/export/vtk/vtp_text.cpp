@@ -53,7 +53,7 @@ std::string nameArray(const char* name, const std::vector<std::string>& texts)
 
 }  // namespace
 
-std::string vtpText(const VtpPoints& points, const VtpNames& names, double time)
+std::string vtpText(const ParticlePoints& points, const VtpNames& names, double time)
 {
     const size_t count = points.ids.size();
     std::vector<int32_t> places(count), ends(count);

@@ -1,19 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
-namespace knuckle {
+#include "app/export/points/particle_points.h"
 
-/// Points of a frame as VTK PolyData; all lists have a value, or three, for each point.
-struct VtpPoints {
-    std::vector<float> places, velocities;
-    std::vector<uint32_t> ids;
-    std::vector<int32_t> bodies, materials;
-    std::vector<float> radii;
-    std::vector<float> densities;  ///< Empty: not known.
-};
+namespace knuckle {
 
 /// What the numbers stand for, by index.
 struct VtpNames {
@@ -21,6 +13,6 @@ struct VtpNames {
 };
 
 /// The file of a frame. @param time [s]
-std::string vtpText(const VtpPoints& points, const VtpNames& names, double time);
+std::string vtpText(const ParticlePoints& points, const VtpNames& names, double time);
 
 }  // namespace knuckle

@@ -106,8 +106,8 @@ Actor articulate(const Figure& figure, const Solid& solid, const ActorOptions& o
     actor.name = options.name.empty() ? model.name : options.name;
     actor.diameter = voxels.diameter;
     actor.notes = model.notes;
-    std::vector<BodyDraft> drafts = cutIntoBodies(figure, solid, voxels, actor.notes);
-    noteMerged(figure, drafts, actor.notes);
+    std::vector<BodyDraft> drafts = cutIntoBodies(figure, solid, voxels, options.plan, actor.notes);
+    noteMerged(figure, drafts, !options.plan.empty(), actor.notes);
     if (options.alongBones && drafts.size() > 1) fillAlongBones(figure, solid, drafts, voxels);
     std::vector<ParticleDraft> particles(voxels.positions.size());
     for (size_t p = 0; p < particles.size(); ++p) {

@@ -132,6 +132,14 @@ std::vector<BodyDraft> draftBodies(const Figure& figure, BoneCut& cut)
     return drafts;
 }
 
+void hangAsPlanned(const BodyPlan& plan, std::vector<BodyDraft>& drafts)
+{
+    for (BodyDraft& draft : drafts) {
+        const auto parent = std::ranges::find(drafts, plan.above[draft.bone], &BodyDraft::bone);
+        draft.parent = parent == drafts.end() ? -1 : static_cast<int32_t>(parent - drafts.begin());
+    }
+}
+
 /// Notes which limbs of arms and legs have no joint, and how to give them one.
 void noteLost(const Figure& figure, const BoneCut& cut, float diameter, std::vector<std::string>& notes)
 {
@@ -213,7 +221,7 @@ void noteUnknown(const Figure& figure, const std::vector<BodyDraft>& drafts, std
 
 }  // namespace
 
-std::vector<BodyDraft> cutIntoBodies(const Figure& figure, const Solid& solid, Voxels& voxels,
+std::vector<BodyDraft> cutIntoBodies(const Figure& figure, const Solid& solid, Voxels& voxels, const BodyPlan& plan,
                                      std::vector<std::string>& notes)
 {
     if (!figure.hasSkin()) {
@@ -229,9 +237,11 @@ std::vector<BodyDraft> cutIntoBodies(const Figure& figure, const Solid& solid, V
     moveIslands(bones, voxels);
     if (figure.mirror) mirrorParticles(solid, *figure.mirror, figure.tree.parents, voxels, bones);
     windRods(figure, solid, voxels, bones);
-    BoneCut cut = mergeSmall(figure.tree, figure.anatomy, voxels, bones);
-    noteLost(figure, cut, voxels.diameter, notes);
+    BoneCut cut = plan.empty() ? mergeSmall(figure.tree, figure.anatomy, voxels, bones)
+                               : mergePlanned(figure, voxels, bones, plan);
+    if (plan.empty()) noteLost(figure, cut, voxels.diameter, notes);
     std::vector<BodyDraft> drafts = draftBodies(figure, cut);
+    if (!plan.empty()) hangAsPlanned(plan, drafts);
     noteReattached(figure, drafts, notes);
     arrangeTree(drafts, figure.tree, figure.anatomy, voxels, notes);
     noteSources(figure, notes);

@@ -1,8 +1,11 @@
 #include "sim/rig/bodies/bone_merge.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
+#include "sim/base/errors.h"
 #include "sim/rig/bodies/body_tree.h"
 #include "sim/rig/bodies/bone_bodies.h"
 
@@ -74,6 +77,25 @@ BoneCut mergeSmall(const BoneTree& tree, std::span<const BoneAnatomy> anatomy, c
     for (uint32_t b = 0; b < anatomy.size(); ++b) {
         if (cut.particles[b].empty() || isLarge(cut.particles[b], voxels)) continue;
         if (const uint32_t target = nearestLarge(cut, tree, voxels, b); target != b) join(cut, tree, b, target);
+    }
+    return cut;
+}
+
+BoneCut mergePlanned(const Figure& figure, const Voxels& voxels, const std::vector<uint32_t>& bones,
+                     const BodyPlan& plan)
+{
+    BoneCut cut;
+    cut.particles.resize(plan.owners.size());
+    cut.merged.resize(plan.owners.size());
+    for (uint32_t p = 0; p < bones.size(); ++p) cut.particles[plan.owners[bones[p]]].push_back(p);
+    for (uint32_t b = 0; b < plan.owners.size(); ++b) {
+        if (!plan.hasBody(b)) {
+            if (figure.tree.deforms[b]) cut.merged[plan.owners[b]].push_back(b);
+        } else if (!isLarge(cut.particles[b], voxels)) {
+            throw InputError(fmt::format("{}: particles of {:.3g} m are too few for the body {}, which the coarsest "
+                                         "level has; add a coarser level, or leave this one out",
+                                         figure.model.name, voxels.diameter, figure.model.bones[b].name));
+        }
     }
     return cut;
 }

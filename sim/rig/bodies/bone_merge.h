@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/rig/anatomy/anatomy.h"
-#include "sim/rig/anatomy/bone_tree.h"
+#include "sim/rig/actor_options.h"
+#include "sim/rig/figure.h"
 #include "sim/rig/mesh/voxelize.h"
 
 namespace knuckle {
@@ -21,5 +21,9 @@ struct BoneCut {
 /// @param bones per particle its limb.
 BoneCut mergeSmall(const BoneTree& tree, std::span<const BoneAnatomy> anatomy, const Voxels& voxels,
                    const std::vector<uint32_t>& bones);
+
+/// Gives every limb its particles as a plan says. @throws InputError for a body of it that is too small.
+BoneCut mergePlanned(const Figure& figure, const Voxels& voxels, const std::vector<uint32_t>& bones,
+                     const BodyPlan& plan);
 
 }  // namespace knuckle

@@ -18,9 +18,10 @@ constexpr size_t ROW = 3;  // from so many bones of one part on, they are counte
 constexpr std::array<std::pair<BodyPart, const char*>, 4> ROWS{
     {{BodyPart::Finger, "fingers"}, {BodyPart::Toe, "toes"}, {BodyPart::Tail, "tails"}, {BodyPart::Wing, "wings"}}};
 
-const char* whyMerged(const BoneAnatomy& bone, bool isWanted)
+const char* whyMerged(const BoneAnatomy& bone, bool isWanted, bool isPlanned)
 {
     if (bone.role == BoneRole::Twist) return "of the same limb";
+    if (bone.role != BoneRole::Attached && isPlanned) return "too small at the coarsest level";
     if (bone.role != BoneRole::Attached) return "too small for four particles that span space";
     return isWanted ? "as --merge says" : "attached to it";
 }
@@ -44,12 +45,13 @@ std::string listed(const Figure& figure, std::vector<uint32_t> bones)
 
 }  // namespace
 
-void noteMerged(const Figure& figure, const std::vector<BodyDraft>& drafts, std::vector<std::string>& notes)
+void noteMerged(const Figure& figure, const std::vector<BodyDraft>& drafts, bool isPlanned,
+                std::vector<std::string>& notes)
 {
     for (const BodyDraft& draft : drafts) {
         std::vector<std::pair<std::string, std::vector<uint32_t>>> groups;
         for (const uint32_t bone : draft.mergedBones) {
-            const std::string why = whyMerged(figure.anatomy[bone], figure.wanted.contains(bone));
+            const std::string why = whyMerged(figure.anatomy[bone], figure.wanted.contains(bone), isPlanned);
             auto group = std::ranges::find(groups, why, &std::pair<std::string, std::vector<uint32_t>>::first);
             if (group == groups.end()) group = groups.insert(group, {why, {}});
             group->second.push_back(bone);

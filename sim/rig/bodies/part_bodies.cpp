@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/base/errors.h"
 #include "sim/base/short_list.h"
 #include "sim/rig/bodies/bone_bodies.h"
 #include "sim/rig/mesh/polyhedron.h"
@@ -74,6 +75,21 @@ std::vector<uint32_t> largeParts(const std::vector<Particles>& particles)
     return large;
 }
 
+/// @throws InputError for a part that is to be a body and has no particles.
+std::vector<uint32_t> plannedParts(const Model& model, const std::vector<Particles>& particles, const BodyPlan& plan)
+{
+    std::vector<uint32_t> large;
+    for (uint32_t p = 0; p < particles.size(); ++p) {
+        if (!plan.hasBody(p)) continue;
+        if (particles[p].empty())
+            throw InputError(fmt::format("{}: the part {}, a body at the coarsest level, has no particles; add a "
+                                         "coarser level, or leave this one out",
+                                         model.name, model.bones[p].name));
+        large.push_back(p);
+    }
+    return large;
+}
+
 /// Among some parts, the one with the particle nearest to a point.
 uint32_t nearestPart(const std::vector<uint32_t>& parts, const std::vector<Particles>& particles, const Voxels& voxels,
                      const Vector3f& point)
@@ -136,12 +152,15 @@ Actor partBodies(const Model& model, const Solid& solid, const ActorOptions& opt
     actor.signedDistances = voxels.signedDistances;
     actor.outward = voxels.outward;
     actor.notes = model.notes;
-    const std::vector<uint32_t> large = largeParts(particles);
+    const BodyPlan& plan = options.plan;
+    const std::vector<uint32_t> large = plan.empty() ? largeParts(particles) : plannedParts(model, particles, plan);
     std::vector<uint32_t> owner(particles.size());
     std::vector<std::string> small;
     for (uint32_t p = 0; p < particles.size(); ++p) {
         const bool isLarge = std::ranges::binary_search(large, p);
-        owner[p] = isLarge ? p : nearestPart(large, particles, voxels, boneHead(model, p));
+        owner[p] = isLarge         ? p
+                   : !plan.empty() ? plan.owners[p]
+                                   : nearestPart(large, particles, voxels, boneHead(model, p));
         if (!isLarge) small.push_back(model.bones[p].name);
     }
     for (const uint32_t part : large) {

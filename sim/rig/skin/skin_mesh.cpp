@@ -22,20 +22,6 @@ std::map<std::string, uint32_t> bodiesByName(const Actor& actor)
     return bodies;
 }
 
-/// @param bodies per bone of the model.
-void skinVertex(const SkinWeights& skin, const std::vector<uint32_t>& bodies, SkinVertex& vertex)
-{
-    std::vector<std::pair<uint32_t, float>> order = weightsByOwner(skin, bodies);
-    order.resize(std::min(order.size(), vertex.bodies.size()));
-    float sum = 0.0f;
-    for (const auto& [body, weight] : order) sum += weight;
-    if (!(sum > 0.0f)) return;
-    for (size_t i = 0; i < order.size(); ++i) {
-        vertex.bodies[i] = order[i].first;
-        vertex.weights[i] = order[i].second / sum;
-    }
-}
-
 }  // namespace
 
 std::vector<std::pair<uint32_t, float>> weightsByOwner(const SkinWeights& skin, std::span<const uint32_t> owners)
@@ -46,6 +32,20 @@ std::vector<std::pair<uint32_t, float>> weightsByOwner(const SkinWeights& skin, 
     std::vector<std::pair<uint32_t, float>> order(sums.begin(), sums.end());
     std::ranges::stable_sort(order, std::ranges::greater(), &std::pair<uint32_t, float>::second);
     return order;
+}
+
+BodyWeights heaviestOf(std::vector<std::pair<uint32_t, float>> order)
+{
+    BodyWeights heaviest;
+    order.resize(std::min(order.size(), heaviest.bodies.size()));
+    float sum = 0.0f;
+    for (const auto& [body, weight] : order) sum += weight;
+    if (!(sum > 0.0f)) return heaviest;
+    for (size_t i = 0; i < order.size(); ++i) {
+        heaviest.bodies[i] = order[i].first;
+        heaviest.weights[i] = order[i].second / sum;
+    }
+    return heaviest;
 }
 
 std::vector<uint32_t> bodiesOfBones(const Actor& actor, const Model& model)
@@ -77,7 +77,11 @@ SkinMesh makeSkinMesh(const Actor& actor, const Model& model)
     for (size_t v = 0; v < model.vertices.size(); ++v) {
         const SurfaceVertex& looks = surface.vertices[v];
         SkinVertex vertex{model.vertices[v], looks.normal, looks.uv, looks.color, looks.material};
-        if (!model.skin.empty() && actor.bodies.size() > 1) skinVertex(model.skin[v], bodies, vertex);
+        if (!model.skin.empty() && actor.bodies.size() > 1) {
+            const auto [moving, weights] = heaviestOf(weightsByOwner(model.skin[v], bodies));
+            vertex.bodies = moving;
+            vertex.weights = weights;
+        }
         mesh.vertices.push_back(vertex);
     }
     return mesh;

@@ -12,6 +12,9 @@ namespace knuckle {
 /// The weights of a vertex summed by owners of its bones, heaviest first. @param owners per bone.
 std::vector<std::pair<uint32_t, float>> weightsByOwner(const SkinWeights& skin, std::span<const uint32_t> owners);
 
+/// The four heaviest of them. @param order heaviest first.
+BodyWeights heaviestOf(std::vector<std::pair<uint32_t, float>> order);
+
 /// Per bone of a model, the body of its actor that moves it: the one that it became or was merged into, else that of
 /// the nearest bone above that has one, else the first.
 /// @throws InputError if the actor has several bodies and none of them is a bone of the model.

@@ -33,6 +33,8 @@ Actor makePair()
         actor.signedDistances.push_back(-number());
         actor.outward.push_back(i % 3 == 0 ? Vector3f(0, 0, 0) : Vector3f(number() + 1e-9f, 1, -number()).normalized());
     }
+    actor.particles[5].z() = -0.0f;
+    actor.signedDistances[6] = -0.0f;
     actor.bodies = {{"hip", {}, -1, {"pelvis", "belly"}}, {"leg", {}, 0, {"knee", "shin", "toe"}}};
     for (uint32_t i = 0; i < 2000; ++i) actor.bodies[i < 1200 ? 0 : 1].particles.push_back(i);
     actor.bodies[1].particles.push_back(7);
@@ -77,7 +79,40 @@ TEST(ActorFile, ReadsBackExactlyWhatWasWritten)
     EXPECT_FALSE(back.joints[0].limits.twist.bounded());
     EXPECT_EQ(back.joints[0].strength.force, 2500.0f);
     EXPECT_TRUE(std::isinf(back.joints[0].strength.torque));
+    EXPECT_TRUE(std::signbit(back.signedDistances[6]));
     EXPECT_EQ(actorText(back), actorText(actor));
+}
+
+TEST(ActorFile, IsTheSameAsArrays)
+{
+    const test::TempFolder folder;
+    Actor actor = makePair();
+    actor.name = "Füchsin 狐 🦊";
+    actor.bodies[1].mergedBones = {};
+    actor.model.file = folder.path("fox.glb");
+    actor.model.fit.up = UpAxis::Z;
+    actor.model.pick.skeleton = "hips*";
+    actor.skin.vertices = {{0, 1, 2}, {3, 4, 5}, {6, 7, -0.0f}};
+    actor.skin.triangles = {{0, 1, 2}};
+    actor.skin.ofVertices = {{{1, 0, 0, 0}, {0.75f, 0.25f, 0, 0}}, {}, {}};
+    for (const Vector3f& particle : actor.particles)
+        actor.skin.ofParticles.push_back({{particle.x() > 0.1f, 0, 0, 0}, {1, 0, 0, 0}});
+    writeActor(folder.path("actor.npz"), actor);
+    const Actor back = readActor(folder.path("actor.npz"));
+    EXPECT_EQ(back.model.file, actor.model.file);
+    EXPECT_EQ(actorText(back), actorText(actor));
+    EXPECT_TRUE(isActorFile(folder.path("actor.npz")));
+}
+
+TEST(ActorFile, AnActorWithoutJointsIsTheSameAsArrays)
+{
+    const test::TempFolder folder;
+    Actor actor;
+    actor.diameter = 0.1f;
+    for (int i = 0; i < 3; ++i) actor.particles.emplace_back(0.1f * static_cast<float>(i), 0.0f, 0.0f);
+    actor.bodies = {{"rod", {0, 1, 2}, -1, {}}};
+    writeActor(folder.path("actor.npz"), actor);
+    EXPECT_EQ(actorText(readActor(folder.path("actor.npz"))), actorText(actor));
 }
 
 std::string messageOf(const test::TempFolder& folder, const std::string& from, const std::string& to)
@@ -107,6 +142,12 @@ TEST(ActorFile, TellsWhatIsWrong)
     EXPECT_EQ(messageOf(folder, "\"child\": 1", "\"child\": 4"), ": /joints/0/child: 4 is not one of the 2 bodies");
     EXPECT_EQ(messageOf(folder, "\"parent\": 0, \"particles\"", "\"parent\": 1, \"particles\""),
               ": /bodies/1/parent: 1 must be smaller than the body's own place, 1");
+    EXPECT_EQ(messageOf(folder, "\"name\": \"a\",", "\"name\": \"a\", \"mass\": 2.5,"),
+              ": /bodies/0/mass: has 2.5, but by its particles 1.5 at 1000 kg/m3; correct it, or leave it out");
+    EXPECT_EQ(messageOf(folder, "\"name\": \"a\",", "\"name\": \"a\", \"centre\": [0, 0, 0],"),
+              ": /bodies/0/centre: has 0, but by its particles 0.03333 at 1000 kg/m3; correct it, or leave it out");
+    EXPECT_EQ(messageOf(folder, "\"joints\"", "\"skin\": { \"vertices\": [[0, 0, 0]] }, \"joints\""),
+              ": /skin/bodies: has 0 entries for 1 vertices; give one each");
     EXPECT_EQ(messageOf(folder, "[0, 1] }", "[1] }"), ": /particles/0: belongs to no body; remove it");
 }
 

@@ -5,6 +5,7 @@
 #include "render/overlay/canvas.h"
 #include "render/reader/picture.h"
 #include "sim/base/errors.h"
+#include "sim/base/utf8.h"
 #include "tests/render/render_fixture.h"
 
 namespace knuckle::test {

@@ -36,12 +36,15 @@ TEST(MergeNotes, CountFingersAndNameTheFirstOfOthers)
     std::vector<std::string> notes;
     Figure figure = readFigure(model, {{24, BoneRole::Attached}});
     figure.anatomy = anatomy;
-    noteMerged(figure, {hand}, notes);
+    noteMerged(figure, {hand}, false, notes);
     EXPECT_EQ(notes, (std::vector<std::string>{
                          "hand took in palm1, palm2, of the same limb.",
                          "hand took in 15 bones of fingers, nub, too small for four particles that span space.",
                          "hand took in ring, watch, glove and 2 more, attached to it.",
                          "hand took in cane, as --merge says."}));
+    notes.clear();
+    noteMerged(figure, {hand}, true, notes);
+    EXPECT_EQ(notes.at(1), "hand took in 15 bones of fingers, nub, too small at the coarsest level.");
 }
 
 }  // namespace

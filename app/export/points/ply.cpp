@@ -1,4 +1,4 @@
-#include "app/export/ply.h"
+#include "app/export/points/ply.h"
 
 #include <fmt/format.h>
 
