@@ -13,7 +13,7 @@
 #include "app/run/stopwatch.h"
 #include "app/run/tell.h"
 #include "app/scene/names/named.h"
-#include "app/serve/change.h"
+#include "app/serve/change_log.h"
 #include "app/serve/hand.h"
 #include "app/serve/live_view.h"
 #include "app/serve/pace.h"

@@ -5,7 +5,7 @@
 #include "app/run/exit_codes.h"
 #include "app/run/interrupt.h"
 #include "app/run/tell.h"
-#include "app/serve/change.h"
+#include "app/serve/change_log.h"
 #include "app/serve/live_run.h"
 #include "sim/base/fnv_hash.h"
 #include "sim/solver/workload.h"
@@ -34,6 +34,12 @@ int replayChanges(const Scene& scene, const Branch* branch, const ServeOptions& 
         fmt::print("{} and {} of {}\n", counted(logged.steps, "step"), counted(logged.changes.size(), "change"),
                    options.replay);
     if (options.hash) fmt::print("state hash {}\n", hash);
+    if (logged.hash.empty()) {
+        tellUser(
+            fmt::format("knuckle: {}: its end is not recorded; this is the state after its last change, at step {}",
+                        options.replay, logged.steps));
+        return EXIT_FINE;
+    }
     if (hash == logged.hash) return EXIT_FINE;
     tellUser(fmt::format("knuckle: {}: the state is {} at the end, and was {}; drivers or versions differ",
                          options.replay, hash, logged.hash));

@@ -164,6 +164,35 @@ def interact(log):
     return served.end()
 
 
+def replayed(log):
+    return subprocess.run([PROGRAM, "--device", "software", "serve", SCENE, "--replay", log, "--hash"],
+                          capture_output=True, text=True)
+
+
+def killed(log):
+    """A log counts up to its last line, whatever ends the program."""
+    states = []
+    for signalled in (signal.SIGINT, signal.SIGKILL):
+        served = Served("--log", log)
+        served.wish(do="pause")
+        served.wish(do="reset")
+        name, _ = find(served, "pick")
+        served.wish(do="step", count=12)
+        served.until(lambda f: f["step"] == 12, "no twelve steps")
+        served.wish(do="push", name=name, impulse=[1, 2, 3])
+        served.figures()
+        if signalled == signal.SIGINT:
+            states.append(served.end())
+            continue
+        served.process.kill()
+        served.process.communicate()
+        with open(log, "a") as file:
+            file.write('{"step":13,"pu')
+    run = replayed(log)
+    check(run.returncode == 0 and "state hash " + states[0] in run.stdout and "not recorded" in run.stderr,
+          "a log without its end: %s%s" % (run.stdout, run.stderr))
+
+
 def replay(log, hash):
     lines = [json.loads(line) for line in open(log)]
     check(sum("push" in line for line in lines) == 22, "%d pushes are logged" % sum("push" in line for line in lines))
@@ -194,5 +223,6 @@ served.end()
 with tempfile.TemporaryDirectory() as folder:
     changes = os.path.join(folder, "changes")
     replay(changes, interact(changes))
+    killed(os.path.join(folder, "killed"))
 token()
 sys.exit(1 if failures else 0)
