@@ -22,6 +22,10 @@ public:
     void ask(uint32_t steps) { asked_ += steps; }
     /// Forgets what was asked for, as before a start.
     void clear();
+    /// The same, and how long steps took: another simulation begins. @param timeStep [s]
+    void begin(double timeStep);
+    /// Which part of the time steps take, if they keep up; 1 and more if they do not.
+    double load() const { return stepSeconds_ * speed_ / timeStep_; }
 
     /// Steps to take now, at most as many as a machine takes in BATCH; what it cannot keep up with is forgotten.
     uint32_t due();

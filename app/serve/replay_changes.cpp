@@ -1,35 +1,48 @@
 #include <fmt/format.h>
 
-#include "app/film/branch_run.h"
 #include "app/run/counted.h"
 #include "app/run/exit_codes.h"
 #include "app/run/interrupt.h"
 #include "app/run/tell.h"
 #include "app/serve/change_log.h"
 #include "app/serve/live_run.h"
+#include "app/serve/live_world.h"
 #include "sim/base/fnv_hash.h"
 #include "sim/solver/workload.h"
 #include "sim/world/fingerprint/fingerprint.h"
 
 namespace knuckle {
 
-int replayChanges(const Scene& scene, const Branch* branch, const ServeOptions& options, const CommonOptions& common)
+namespace {
+
+/// The state's hash after all changes.
+std::string replay(const LoggedChanges& logged, const ServedScene& served, const CommonOptions& common)
 {
-    const LoggedChanges logged = readChanges(options.replay, fingerprint(scene.world));
+    const Scene& scene = served.scene;
     const auto gpu = openGpu(common, FrameWork{stepWorkload(scene.world), {}});
-    Solver solver(*gpu, branch != nullptr ? branch->world(scene) : scene.world);
-    if (branch != nullptr) beginBranch(*branch, *gpu, scene, solver, nullptr);
+    LiveWorld live(*gpu, scene, served.branch.get());
     const InterruptGuard guard;
     auto next = logged.changes.begin();
     for (uint64_t step = 0; step <= logged.steps; ++step) {
         guard.check();
         // As when they were made: no step before a change is taken again.
-        solver.checkCounters(step);
-        for (; next != logged.changes.end() && next->step == step; ++next)
-            applyChange(solver, scene.world, next->change);
-        if (step < logged.steps) solver.step();
+        live.check();
+        for (; next != logged.changes.end() && next->step == step; ++next) live.apply(next->change);
+        if (step < logged.steps) live.step();
     }
-    const std::string hash = hashText(solver.stateHash());
+    return hashText(live.solver().stateHash());
+}
+
+}  // namespace
+
+int replayChanges(const LoadServed& load, const ServeOptions& options, const CommonOptions& common)
+{
+    const LoggedChanges logged = readChanges(options.replay);
+    const auto served = load(logged.sets);
+    if (logged.world != hashText(fingerprint(served->scene.world)))
+        throw InputError(fmt::format("{}: is of another world, of the scene {}; give the same scene and --set",
+                                     options.replay, logged.scene));
+    const std::string hash = replay(logged, *served, common);
     if (!common.quiet)
         fmt::print("{} and {} of {}\n", counted(logged.steps, "step"), counted(logged.changes.size(), "change"),
                    options.replay);

@@ -23,9 +23,9 @@ def check(holds, what):
 class Served:
     """The program while it serves on a free port."""
 
-    def __init__(self, *options):
+    def __init__(self, *options, scene=SCENE):
         self.process = subprocess.Popen(
-            [PROGRAM, "--device", "software", "serve", SCENE, "--port", "0", "--size", "%dx%d" % SIZE, "--hash", *options],
+            [PROGRAM, "--device", "software", "serve", scene, "--port", "0", "--size", "%dx%d" % SIZE, "--hash", *options],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
         found = re.search(r"http://127\.0\.0\.1:(\d+)/", line)
@@ -133,11 +133,11 @@ def crowd(served):
     served.until(lambda f: f["viewers"] == 0, "who has gone still counts")
 
 
-def find(served, wish):
-    """Asks from the middle outwards until something has a name."""
+def find(served, wish, kind="isBody", bodies=True):
+    """Asks from the middle outwards until something is of a kind."""
     for x, y in [(0.5, 0.5)] + [(x / 20, y / 20) for y in range(4, 18, 2) for x in range(2, 19)]:
         found = served.wish(do=wish, at=[x, y], **({"speed": 3} if wish == "throw" else {}))
-        if found.get("isBody"):
+        if found.get(kind) and (bodies or not found["isBody"]):
             return found["name"], (x, y)
     check(False, "nothing to " + wish)
     return "", (0.5, 0.5)
@@ -164,9 +164,73 @@ def interact(log):
     return served.end()
 
 
-def replayed(log):
-    return subprocess.run([PROGRAM, "--device", "software", "serve", SCENE, "--replay", log, "--hash"],
+def replayed(log, scene=SCENE):
+    return subprocess.run([PROGRAM, "--device", "software", "serve", scene, "--replay", log, "--hash"],
                           capture_output=True, text=True)
+
+
+def same(log, hash, scene=SCENE):
+    run = replayed(log, scene)
+    check(run.returncode == 0 and "state hash " + hash in run.stdout,
+          "%s replayed: %s%s" % (scene, run.stdout, run.stderr))
+
+
+def field(figures, name):
+    return next(field["value"] for field in figures["fields"] if field["name"] == name)
+
+
+def settings(log):
+    """Gravity changes the state at once, a reset brings it back; what cannot change wants a restart."""
+    served = Served("--log", log)
+    served.wish(do="pause")
+    served.wish(do="reset")
+    for body in ({"field": "gravity", "value": [0, -3, 0, 1]}, {"field": "gravity", "value": 3},
+                 {"field": "gravity", "value": [0, -300, 0]}, {"field": "solver.substeps", "value": 8},
+                 {"field": "gravty", "value": [0, 0, 0]}, {"field": "gravity"}, {"value": 1}):
+        status, text = served.ask("POST", "/input", json.dumps({"do": "set", **body}))
+        check(status == 400 and text.count(b"\n") == 1, "taken: %s: %s" % (body, text))
+    check(served.wish(do="set", field="gravity", value=[0, 9, 2]) == {}, "gravity does not change")
+    served.wish(do="step", count=30)
+    figures = served.until(lambda f: f["step"] == 30 and f["maxSpeed"] > 4, "nothing falls upwards")
+    check(field(figures, "gravity") == [0, 9, 2], "another gravity")
+    served.wish(do="set", field="linearDamping", value=5)
+    served.wish(do="step", count=10)
+    served.until(lambda f: f["step"] == 40, "no ten steps")
+    first = served.end()
+    same(log, first)
+    served = Served("--log", log)
+    served.wish(do="pause")
+    served.wish(do="set", field="gravity", value=[0, 9, 2])
+    served.wish(do="reset")
+    served.until(lambda f: field(f, "gravity")[1] < -9, "a reset keeps gravity")
+    for sets in ("solver.substeps=8", ["solver.substep=8"], ["x"]):
+        status, text = served.ask("POST", "/input", json.dumps({"do": "restart", "set": sets}))
+        check(status == 400 and text.count(b"\n") == 1, "restarted: %s: %s" % (sets, text))
+    check(served.wish(do="restart", set=["solver.substeps=8"]) == {}, "no restart")
+    served.wish(do="set", field="gravity", value=[1, -5, 0])
+    served.wish(do="step", count=20)
+    figures = served.until(lambda f: f["step"] == 20, "no steps after a restart")
+    check(figures["paused"] and figures["restarts"] == ["solver.substeps=8"], "a restart is not told")
+    second = served.end()
+    check(first != second, "a restart changes nothing")
+    same(log, second)
+
+
+def pulled(log, scene):
+    """What has no bodies can be pulled, too."""
+    served = Served("--log", log, scene=scene)
+    served.wish(do="pause")
+    served.wish(do="reset")
+    name, (x, y) = find(served, "grab", "canBePulled", bodies=False)
+    for step in range(20):
+        served.wish(do="drag", at=[x, max(0.0, y - 0.4)])
+        served.wish(do="step", count=1)
+        served.until(lambda f: f["step"] == step + 1, "no step")
+    hash = served.end()
+    stirs = [line for line in map(json.loads, open(log)) if line.get("stir") == name]
+    check(len(stirs) == 20, "%s: %d pulls of %s" % (scene, len(stirs), name))
+    check(stirs and stirs[-1]["at"][1] > stirs[0]["at"][1] + 0.05, "%s: it does not rise: %s" % (scene, stirs[-1:]))
+    same(log, hash, scene)
 
 
 def killed(log):
@@ -224,5 +288,8 @@ with tempfile.TemporaryDirectory() as folder:
     changes = os.path.join(folder, "changes")
     replay(changes, interact(changes))
     killed(os.path.join(folder, "killed"))
+    settings(os.path.join(folder, "settings"))
+    for scene in ("hourglass", "curtain", "jelly", "layers"):
+        pulled(os.path.join(folder, scene), "assets/scenes/%s.json" % scene)
 token()
 sys.exit(1 if failures else 0)
