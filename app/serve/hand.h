@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/scene/scene_file.h"
-#include "app/serve/change.h"
+#include "app/serve/changes/change.h"
 #include "app/serve/free_camera.h"
 #include "render/layers/layer_renderer.h"
 #include "render/layers/scene_things.h"

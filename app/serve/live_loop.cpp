@@ -81,6 +81,7 @@ std::string LiveLoop::obey(const Input& input)
         case InputKind::Run: pace_.pause(false); break;
         case InputKind::Step: pace_.ask(input.count); break;
         case InputKind::Speed: pace_.setSpeed(static_cast<double>(input.factor)); break;
+        case InputKind::Share: share_.setLeast(static_cast<double>(input.factor)); break;
         case InputKind::Reset: reset(); break;
         case InputKind::Pick:
         case InputKind::Grab:
@@ -195,6 +196,7 @@ void LiveLoop::advance(uint32_t steps)
                    for (uint32_t k = 0; k < steps; ++k) step();
                    live().check();
                }));
+    share_.note(pace_.isBehind());
     ++version_;
 }
 
@@ -217,13 +219,12 @@ void LiveLoop::pull()
     }
 }
 
-/// What pictures may take of the time: what steps leave, and more while somebody moves the picture and waits for it.
+/// More while somebody moves the picture and waits for it, and all if nothing else is to be done.
 double LiveLoop::allowedShare() const
 {
-    constexpr double WHILE_STEERED = 0.5, LEFT = 0.8;
+    constexpr double WHILE_STEERED = 0.5;
     if (pace_.isPaused()) return 1.0;
-    const double least = since(steered_) < 1.0 ? std::max(share_, WHILE_STEERED) : share_;
-    return std::clamp(LEFT * (1.0 - pace_.load()), least, 1.0);
+    return since(steered_) < 1.0 ? std::max(share_.now(), WHILE_STEERED) : share_.now();
 }
 
 void LiveLoop::drawIfDue()
@@ -233,6 +234,7 @@ void LiveLoop::drawIfDue()
     if (since(drawStarted_) < std::max(FRAME_SECONDS, drawing.seconds() / allowedShare())) return;
     drawn_ = version_;
     drawStarted_ = Clock::now();
+    pictures_.note();
     drawing.draw(live().solver().view(), live().time(), camera_);
 }
 
@@ -252,8 +254,10 @@ void LiveLoop::tellFigures()
                  {"time", live().time()},
                  {"stepMilliseconds", 1e3 * pace_.stepSeconds()},
                  {"drawMilliseconds", 1e3 * shown_->drawing.seconds()},
+                 {"picturesPerSecond", pictures_.now()},
                  {"paused", pace_.isPaused()},
                  {"speed", pace_.speed()},
+                 {"share", share_.least()},
                  {"maxSpeed", measures_.maxSpeed},
                  {"energy", measures_.kineticEnergy},
                  {"contacts", measures_.contactCount},

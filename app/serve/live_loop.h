@@ -8,6 +8,8 @@
 
 #include "app/serve/live_run.h"
 #include "app/serve/pace.h"
+#include "app/serve/picture_share.h"
+#include "app/serve/rate.h"
 #include "app/serve/shown_scene.h"
 
 namespace knuckle {
@@ -54,12 +56,13 @@ private:
     Gpu& gpu_;
     const LoadServed& load_;
     LiveFeed& feed_;
-    double share_;
+    PictureShare share_;
     std::unique_ptr<ShownScene> shown_;
     std::vector<std::string> sets_;     ///< Of restarts so far.
     std::optional<FreeCamera> camera_;  ///< Of viewers; none: the scene's own.
     std::optional<ChangeLog> log_;
     Pace pace_;
+    Rate pictures_;
     uint64_t version_ = 1, drawn_ = 0;  ///< Of what a picture shows; of the last picture.
     std::optional<uint64_t> measured_;  ///< Steps at the last measure.
     Measures measures_;

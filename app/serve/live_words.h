@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "app/json/json.h"
+#include "app/serve/changes/live_fields.h"
 #include "app/serve/hand.h"
-#include "app/serve/live_fields.h"
 
 namespace knuckle {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 
@@ -24,8 +25,8 @@ public:
     void clear();
     /// The same, and how long steps took: another simulation begins. @param timeStep [s]
     void begin(double timeStep);
-    /// Which part of the time steps take, if they keep up; 1 and more if they do not.
-    double load() const { return stepSeconds_ * speed_ / timeStep_; }
+    /// Whether steps that were due could not be taken in time.
+    bool isBehind() const { return owed_ > std::max(BATCH, 2.0 * timeStep_); }
 
     /// Steps to take now, at most as many as a machine takes in BATCH; what it cannot keep up with is forgotten.
     uint32_t due();

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/serve/change_log.h"
+#include "app/serve/changes/change_log.h"
+#include "app/serve/changes/live_world.h"
 #include "app/serve/hand.h"
 #include "app/serve/live_drawing.h"
-#include "app/serve/live_world.h"
 #include "app/serve/served_scene.h"
 
 namespace knuckle {

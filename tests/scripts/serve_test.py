@@ -107,6 +107,8 @@ def refuse(served):
     own, other = "http://127.0.0.1:%d" % served.port, "http://example.org"
     check(served.ask("POST", "/input", '{"do": "home"}', Origin=own)[0] == 200, "the own site is refused")
     check(served.ask("POST", "/input", '{"do": "run"}', Origin=other)[0] == 403, "another site may steer")
+    for path, status in (("/stream", 403), ("/events", 403), ("/", 200)):
+        check(served.ask("GET", path, Sec_Fetch_Site="cross-site")[0] == status, "another site and " + path)
     check(served.ask("GET", "/", Host="example.org")[0] == 403, "another host's name is answered")
     for body in ("", "[]", "{", '{"do": "hom"}', '{"do": "zoom", "factor": 0}', '{"do": "pan", "by": [1]}',
                  '{"do": "orbit", "by": [1e999, 0]}', '{"do": "step", "count": "x"}', "[" * 60000):
@@ -130,6 +132,40 @@ def crowd(served):
     for _, answer in answers:
         answer.close()
     idle.close()
+    served.until(lambda f: f["viewers"] == 0, "who has gone still counts")
+
+
+def speed(served):
+    """Steps a second."""
+    first, began = served.figures()["step"], time.time()
+    time.sleep(2)
+    return (served.figures()["step"] - first) / (time.time() - began)
+
+
+def hundred(served):
+    """A hundred connections that ask for nothing, or for pictures and read none: steps go on at their speed."""
+    served.wish(do="run")
+    alone = speed(served)
+    idle = []
+    for k in range(100):
+        connection = socket.create_connection(("127.0.0.1", served.port))
+        if k % 2:
+            connection.sendall(b"GET /stream HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+        idle.append(connection)
+        # Those that listen already are served on; the others' turn comes when some of these are given up.
+        if k == 0:
+            listening = served.ask("GET", "/events")[1]
+    steps = []
+    for line in iter(listening.readline, b""):
+        if line.startswith(b"data: "):
+            steps.append((time.time(), json.loads(line[6:])["step"]))
+        if steps and steps[-1][0] - steps[0][0] > 3:
+            break
+    crowded = (steps[-1][1] - steps[0][1]) / (steps[-1][0] - steps[0][0])
+    check(crowded > 0.8 * alone, "%.1f steps a second among a hundred connections, %.1f alone" % (crowded, alone))
+    listening.close()
+    for connection in idle:
+        connection.close()
     served.until(lambda f: f["viewers"] == 0, "who has gone still counts")
 
 
@@ -283,6 +319,7 @@ look(served)
 steer(served)
 refuse(served)
 crowd(served)
+hundred(served)
 served.end()
 with tempfile.TemporaryDirectory() as folder:
     changes = os.path.join(folder, "changes")

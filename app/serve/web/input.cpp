@@ -87,6 +87,7 @@ Input parseInput(const std::string& text)
     Input input{.kind = kindOf(json)};
     if (input.kind == InputKind::Orbit || input.kind == InputKind::Pan) input.by = numbersIn<2>(json, "by", 10.0f);
     if (input.kind == InputKind::Zoom) input.factor = numberIn(json, "factor", 0.1f, 10.0f);
+    if (input.kind == InputKind::Share) input.factor = numberIn(json, "part", 0.01f, 1.0f);
     if (input.kind == InputKind::Speed) input.factor = numberIn(json, "factor", 0.1f, 1.0f);
     if (input.points()) input.at = numbersIn<2>(json, "at", 1.0f).cwiseMax(0.0f);
     if (input.kind == InputKind::Throw) input.factor = numberIn(json, "speed", 0.1f, 50.0f);

@@ -22,6 +22,7 @@ enum class InputKind : uint32_t {
     Step,
     Reset,
     Speed,
+    Share,
     Pick,
     Grab,
     Drag,
@@ -35,15 +36,15 @@ enum class InputKind : uint32_t {
 
 /// One wish of a viewer.
 struct Input {
-    static constexpr std::array<const char*, 18> WORDS{"orbit", "pan",   "zoom",  "home",    "pause", "run",
-                                                       "step",  "reset", "speed", "pick",    "grab",  "drag",
-                                                       "drop",  "throw", "push",  "release", "set",   "restart"};
+    static constexpr std::array<const char*, 19> WORDS{"orbit", "pan",   "zoom",    "home", "pause",  "run",  "step",
+                                                       "reset", "speed", "share",   "pick", "grab",   "drag", "drop",
+                                                       "throw", "push",  "release", "set",  "restart"};
 
     InputKind kind = InputKind::Pause;
     Eigen::Vector2f by{0, 0};  ///< Orbit: to the right and up [rad]. Pan: of the picture's height.
-    float factor =
-        1.0f;  ///< Zoom: of the distance, 0.1 ... 10. Speed: simulated seconds a second, 0.1 ... 1. Throw: the
-               ///< speed that it gets, away from the camera [m/s], 0.1 ... 50.
+    /// Zoom: of the distance, 0.1 ... 10. Speed: simulated seconds a second, 0.1 ... 1. Share: of the time, for
+    /// pictures, 0.01 ... 1. Throw: the speed that it gets, away from the camera [m/s], 0.1 ... 50.
+    float factor = 1.0f;
     uint32_t count = 1;             ///< Step: 1 ... 1000.
     Eigen::Vector2f at{0, 0};       ///< Pick, Grab, Drag, Throw: from the upper left corner, in shares of the picture.
     std::string name = {};          ///< Push, Release: of a body; Release: of an object, too; Set: of a field.

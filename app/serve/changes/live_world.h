@@ -4,8 +4,8 @@
 
 #include "app/branch/branch.h"
 #include "app/scene/scene_file.h"
-#include "app/serve/change.h"
-#include "app/serve/live_fields.h"
+#include "app/serve/changes/change.h"
+#include "app/serve/changes/live_fields.h"
 
 namespace knuckle {
 

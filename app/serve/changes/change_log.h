@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/serve/change.h"
+#include "app/serve/changes/change.h"
 #include "sim/base/files/output_file.h"
 
 namespace knuckle {

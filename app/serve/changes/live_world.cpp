@@ -1,4 +1,4 @@
-#include "app/serve/live_world.h"
+#include "app/serve/changes/live_world.h"
 
 #include "app/film/branch_run.h"
 

@@ -1,4 +1,4 @@
-#include "app/serve/change_log.h"
+#include "app/serve/changes/change_log.h"
 
 #include <fmt/format.h>
 

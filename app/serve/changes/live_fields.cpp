@@ -1,4 +1,4 @@
-#include "app/serve/live_fields.h"
+#include "app/serve/changes/live_fields.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/serve/change.h"
+#include "app/serve/changes/change.h"
 
 #include <fmt/format.h>
 
