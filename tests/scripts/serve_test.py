@@ -293,6 +293,19 @@ def killed(log):
           "a log without its end: %s%s" % (run.stdout, run.stderr))
 
 
+def faulty(log):
+    """Logs that are none: one line that names the faulty one."""
+    head = open(log).readline()
+    lines = ('{"step":5,"push":"x"}', '{"step":5,"set":"gravity","value":[0]}', '{"step":5,"set":"wind","value":[0,0,0]}',
+             '{"step":5,"stir":"x","impulse":[0,0,0],"at":[0,0,0],"radius":1}', '{"step":"x"}', 'x',
+             '{"step":5,"reset":true}\n{"step":4,"end":"00"}\n{"step":5,"reset":true}')
+    for text in ("", "x\n", "{}\n", *(head + line + "\n" for line in lines)):
+        with open(log, "w") as file:
+            file.write(text)
+        run = replayed(log)
+        check(run.returncode == 2 and run.stderr.count("\n") == 1, "a faulty log: %r %s" % (text, run.stderr))
+
+
 def replay(log, hash):
     lines = [json.loads(line) for line in open(log)]
     check(sum("push" in line for line in lines) == 22, "%d pushes are logged" % sum("push" in line for line in lines))
@@ -326,6 +339,7 @@ with tempfile.TemporaryDirectory() as folder:
     replay(changes, interact(changes))
     killed(os.path.join(folder, "killed"))
     settings(os.path.join(folder, "settings"))
+    faulty(os.path.join(folder, "settings"))
     for scene in ("hourglass", "curtain", "jelly", "layers"):
         pulled(os.path.join(folder, scene), "assets/scenes/%s.json" % scene)
 token()

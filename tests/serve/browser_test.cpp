@@ -56,7 +56,8 @@ class ServeInBrowser : public testing::Test {
 protected:
     void SetUp() override
     {
-        if (Browser::program().empty()) GTEST_SKIP() << "no chromium here, which shows the page";
+        if (Browser::program().empty())
+            GTEST_SKIP() << "no chromium here, which shows the page; scripts/install.sh --browser";
         served_ = std::make_unique<Served>(scene_,
                                            std::vector<std::string>{"--log", log_, "--hash", "--size", "640x360"});
         browser_ = std::make_unique<Browser>(1280, 720, false);
@@ -97,6 +98,76 @@ protected:
         return count;
     }
 
+    void pullAnArm()
+    {
+        const auto [x, y] = find("figure/.*(arm|hand)");
+        browser_->evaluate("keep()");
+        setPaused(false);
+        browser_->mouseDown(x, y, Browser::CONTROL);
+        for (int k = 1; k <= 12; ++k) {
+            browser_->mouseMove(x, y - 20.0 * k, Browser::CONTROL);
+            rest(100);
+        }
+        browser_->screenshot("serve_2_pulled");
+        EXPECT_GT(changed(), 300) << "pulling moves nothing";
+        EXPECT_GT(logged(R"("push":"figure/)"), 10u) << "pulls are not logged";
+        browser_->mouseUp(x, y - 240.0, Browser::CONTROL);
+        rest(800);
+    }
+    void throwTheBall()
+    {
+        const auto [x, y] = find("^ball$");
+        const size_t before = logged(R"("push":"ball")");
+        browser_->doubleClick(x, y);
+        EXPECT_TRUE(isChosen("ball"));
+        rest(400);
+        EXPECT_EQ(logged(R"("push":"ball")"), before + 1) << "a throw is not logged";
+        browser_->screenshot("serve_3_thrown");
+    }
+    void releaseTheLamp()
+    {
+        setPaused(true);
+        const auto [x, y] = find("^lamp$");
+        browser_->drag(x, y, x, y);
+        EXPECT_TRUE(isChosen("lamp"));
+        browser_->screenshot("serve_4_chosen");
+        browser_->evaluate("keep()");
+        browser_->click("#release");
+        setPaused(false);
+        rest(900);
+        EXPECT_EQ(logged(R"("release":"lamp")"), 1u) << "a release is not logged";
+        EXPECT_GT(changed(), 300) << "nothing falls";
+    }
+    void turnGravityOver()
+    {
+        const std::string slider = "document.querySelector('[data-field=\"gravity y\"]')";
+        browser_->press("g");
+        ASSERT_TRUE(browser_->waitFor(slider + ".checkVisibility()"));
+        const Json box = browser_->evaluate(
+            "(() => { const r = " + slider +
+            ".getBoundingClientRect(); return [r.x, r.y + r.height / 2, r.width]; })()");
+        const double left = box.at(0), height = box.at(1), width = box.at(2);
+        browser_->drag(left + 0.31 * width, height, left + 0.6 * width, height);
+        rest(900);
+        EXPECT_GT(logged(R"("set":"gravity")"), 0u) << "the slider changes nothing";
+        EXPECT_GT(browser_->evaluate("Number(" + slider + ".value)").get<double>(), 0.0);
+        browser_->screenshot("serve_5_upwards");
+    }
+    bool isChosen(const std::string& name)
+    {
+        return browser_->waitFor("document.querySelector('#chosen-name').textContent === '" + name + "'");
+    }
+    /// Ends the program, and replays its log.
+    void expectTheSameAgain()
+    {
+        const std::string said = served_->end();
+        const RunResult replay = runKnuckle({"--device", "software", "serve", scene_, "--replay", log_, "--hash"});
+        EXPECT_EQ(replay.code, 0) << replay.err;
+        const size_t at = said.find("state hash ");
+        ASSERT_NE(at, std::string::npos) << said;
+        EXPECT_NE(replay.out.find(said.substr(at, 27)), std::string::npos) << replay.out << said;
+    }
+
     TempFolder folder_;
     std::string scene_ = folder_.write("live.json", sceneText()), log_ = folder_.path("live.log");
     std::unique_ptr<Served> served_;
@@ -111,60 +182,11 @@ TEST_F(ServeInBrowser, IsPausedPulledThrownReleasedAndSetAndReplaysToTheSameBits
     rest(500);
     EXPECT_EQ(step(), paused) << "a pause goes on";
     browser_->screenshot("serve_1_paused");
-
-    const auto [x, y] = find("figure/.*(arm|hand)");
-    browser_->evaluate("keep()");
-    setPaused(false);
-    browser_->mouseDown(x, y, Browser::CONTROL);
-    for (int k = 1; k <= 12; ++k) {
-        browser_->mouseMove(x, y - 20.0 * k, Browser::CONTROL);
-        rest(100);
-    }
-    browser_->screenshot("serve_2_pulled");
-    EXPECT_GT(changed(), 300) << "pulling moves nothing";
-    EXPECT_GT(logged(R"("push":"figure/)"), 10u) << "pulls are not logged";
-    browser_->mouseUp(x, y - 240.0, Browser::CONTROL);
-    rest(800);
-
-    const auto [ballX, ballY] = find("^ball$");
-    const size_t before = logged(R"("push":"ball")");
-    browser_->doubleClick(ballX, ballY);
-    EXPECT_TRUE(browser_->waitFor("document.querySelector('#chosen-name').textContent === 'ball'"));
-    rest(400);
-    EXPECT_EQ(logged(R"("push":"ball")"), before + 1) << "a throw is not logged";
-    browser_->screenshot("serve_3_thrown");
-
-    setPaused(true);
-    const auto [lampX, lampY] = find("^lamp$");
-    browser_->drag(lampX, lampY, lampX, lampY);
-    EXPECT_TRUE(browser_->waitFor("document.querySelector('#chosen-name').textContent === 'lamp'"));
-    browser_->screenshot("serve_4_chosen");
-    browser_->evaluate("keep()");
-    browser_->click("#release");
-    setPaused(false);
-    rest(900);
-    EXPECT_EQ(logged(R"("release":"lamp")"), 1u) << "a release is not logged";
-    EXPECT_GT(changed(), 300) << "nothing falls";
-
-    browser_->press("g");
-    ASSERT_TRUE(browser_->waitFor("document.querySelector('#settings').checkVisibility()"));
-    const Json box = browser_->evaluate("(() => { const r = document.querySelector('[data-field=\"gravity y\"]')"
-                                        ".getBoundingClientRect(); return [r.x, r.y + r.height / 2, r.width]; })()");
-    const double left = box.at(0), height = box.at(1), width = box.at(2);
-    browser_->drag(left + 0.31 * width, height, left + 0.6 * width, height);
-    rest(900);
-    EXPECT_GT(logged(R"("set":"gravity")"), 0u) << "the slider changes nothing";
-    EXPECT_GT(browser_->evaluate("Number(document.querySelector('[data-field=\"gravity y\"]').value)").get<double>(),
-              0.0);
-    browser_->screenshot("serve_5_upwards");
-
-    const std::string said = served_->end();
-    const RunResult replay = runKnuckle(
-        {"--device", "software", "serve", scene_, "--size", "640x360", "--replay", log_, "--hash"});
-    EXPECT_EQ(replay.code, 0) << replay.err;
-    const size_t at = said.find("state hash ");
-    ASSERT_NE(at, std::string::npos) << said;
-    EXPECT_NE(replay.out.find(said.substr(at, 27)), std::string::npos) << replay.out << said;
+    pullAnArm();
+    throwTheBall();
+    releaseTheLamp();
+    turnGravityOver();
+    expectTheSameAgain();
 }
 
 TEST_F(ServeInBrowser, BeginsAnewWithAnotherValueAndSaysWhatIsWrongWithOne)
@@ -180,9 +202,7 @@ TEST_F(ServeInBrowser, BeginsAnewWithAnotherValueAndSaysWhatIsWrongWithOne)
     restartWith("solver.substeps=6");
     EXPECT_TRUE(browser_->waitFor("document.querySelector('#message').textContent === ''"));
     EXPECT_EQ(logged(R"("restart":["solver.substeps=6"])"), 1u);
-    const std::string said = served_->end();
-    const RunResult replay = runKnuckle({"--device", "software", "serve", scene_, "--replay", log_, "--hash"});
-    EXPECT_EQ(replay.code, 0) << replay.err << said;
+    expectTheSameAgain();
 }
 
 TEST_F(ServeInBrowser, FitsALightScreenAndASmallOne)

@@ -15,8 +15,18 @@ namespace knuckle {
 
 namespace {
 
+void apply(LiveWorld& live, const LoggedChanges::Entry& entry, const std::string& log)
+{
+    try {
+        live.apply(entry.change);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: step {}: {}", log, entry.step, error.what()));
+    }
+}
+
 /// The state's hash after all changes.
-std::string replay(const LoggedChanges& logged, const ServedScene& served, const CommonOptions& common)
+std::string replay(const LoggedChanges& logged, const ServedScene& served, const std::string& log,
+                   const CommonOptions& common)
 {
     const Scene& scene = served.scene;
     const auto gpu = openGpu(common, FrameWork{stepWorkload(scene.world), {}});
@@ -27,7 +37,7 @@ std::string replay(const LoggedChanges& logged, const ServedScene& served, const
         guard.check();
         // As when they were made: no step before a change is taken again.
         live.check();
-        for (; next != logged.changes.end() && next->step == step; ++next) live.apply(next->change);
+        for (; next != logged.changes.end() && next->step == step; ++next) apply(live, *next, log);
         if (step < logged.steps) live.step();
     }
     return hashText(live.solver().stateHash());
@@ -42,7 +52,7 @@ int replayChanges(const LoadServed& load, const ServeOptions& options, const Com
     if (logged.world != hashText(fingerprint(served->scene.world)))
         throw InputError(fmt::format("{}: is of another world, of the scene {}; give the same scene and --set",
                                      options.replay, logged.scene));
-    const std::string hash = replay(logged, *served, common);
+    const std::string hash = replay(logged, *served, options.replay, common);
     if (!common.quiet)
         fmt::print("{} and {} of {}\n", counted(logged.steps, "step"), counted(logged.changes.size(), "change"),
                    options.replay);
