@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs missing Debian packages for building Knuckle; with --checks also those for checking its source.
+# Installs missing Debian packages for building Knuckle; with --checks also those for checking its source, with --browser
+# the browser in which tests look at pages.
 set -euo pipefail
 
 packages=(build-essential cmake ninja-build pkg-config ccache libegl-dev libgl-dev libepoxy-dev libegl1
@@ -7,7 +8,13 @@ packages=(build-essential cmake ninja-build pkg-config ccache libegl-dev libgl-d
     libfmt-dev libcpp-httplib-dev libmeshoptimizer-dev libminizip-dev libwebp-dev libzstd-dev libpng-dev libjpeg-dev libopenexr-dev libgtest-dev
     pybind11-dev python3-dev python3-numpy
     libopengl0 fonts-dejavu-core ffmpeg git ca-certificates)
-[[ ${1:-} == --checks ]] && packages+=(clang-format clang-tidy)
+for switch in "$@"; do
+    case $switch in
+        --checks) packages+=(clang-format clang-tidy) ;;
+        --browser) packages+=(chromium) ;;
+        *) echo "install.sh: $switch is unknown; give --checks, --browser, or nothing" >&2; exit 2 ;;
+    esac
+done
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     # On other systems the build itself reports what it does not find.

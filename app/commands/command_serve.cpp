@@ -36,7 +36,9 @@ struct ServeWords {
     ServeOptions options;
 };
 
-int serve(const ServeWords& words, const CommonOptions& common)
+/// @param sets on top of those of the command line.
+std::unique_ptr<ServedScene> load(const ServeWords& words, const CommonOptions& common,
+                                  const std::vector<std::string>& sets)
 {
     std::vector<Override> overrides{{"render.quality", words.quality}};
     for (const std::string& text : words.sets) overrides.push_back(parseOverride(text));
@@ -45,17 +47,22 @@ int serve(const ServeWords& words, const CommonOptions& common)
         overrides.push_back({"render.width", width});
         overrides.push_back({"render.height", height});
     }
-    Scene scene = loadScene(findAsset(words.scene), overrides);
-    readSkyOf(scene);
+    for (const std::string& text : sets) overrides.push_back(parseOverride(text, "restart: "));
+    auto served = std::make_unique<ServedScene>(ServedScene{loadScene(findAsset(words.scene), overrides), {}});
+    readSkyOf(served->scene);
     if (!common.quiet)
-        for (const std::string& warning : scene.warnings)
+        for (const std::string& warning : served->scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", words.scene, warning));
-    const std::unique_ptr<Branch> branch = openBranch(scene);
-    if (!words.options.replay.empty()) {
-        if (!words.options.log.empty()) throw InputError("--log: --replay makes none; leave out one of them");
-        return replayChanges(scene, branch.get(), words.options, common);
-    }
-    serveScene(scene, branch.get(), words.options, common);
+    served->branch = openBranch(served->scene);
+    return served;
+}
+
+int serve(const ServeWords& words, const CommonOptions& common)
+{
+    const LoadServed loadWith = [&](const std::vector<std::string>& sets) { return load(words, common, sets); };
+    if (words.options.replay.empty()) serveScene(loadWith, words.options, common);
+    if (!words.options.log.empty()) throw InputError("--log: --replay makes none; leave out one of them");
+    return replayChanges(loadWith, words.options, common);
 }
 
 }  // namespace
@@ -82,6 +89,11 @@ void addServeCommand(CommandLine line)
         ->type_name("PATH=VALUE")
         ->take_all()
         ->allow_extra_args(false);
+    command
+        ->add_option("--share", words->options.share,
+                     "What pictures may take of the time of a simulation that is behind [0.05]")
+        ->type_name("PART")
+        ->check(numberBetween(0.01, 1.0).description(""));
     command->add_option("--log", words->options.log, "Write all that changes the simulation, by step")
         ->type_name("FILE");
     command

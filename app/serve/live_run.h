@@ -2,28 +2,26 @@
 
 #include <string>
 
-#include "app/branch/branch.h"
 #include "app/run/open_gpu.h"
-#include "app/scene/scene_file.h"
+#include "app/serve/served_scene.h"
 #include "app/serve/web/web_server.h"
 
 namespace knuckle {
 
 struct ServeOptions {
     WebOptions web;
-    bool hash = false;   ///< Prints the last state's.
-    std::string log;     ///< A file for all that changes the simulation; empty: none.
-    std::string replay;  ///< One of them: replayed instead of served.
+    double share = 0.05;  ///< Of the time, which pictures may take from a simulation that is behind, 0.01 ... 1.
+    bool hash = false;    ///< Prints the last state's.
+    std::string log;      ///< A file for all that changes the simulation; empty: none.
+    std::string replay;   ///< One of them: replayed instead of served.
 };
 
 /// Simulates a scene no faster than time passes, and shows it in browsers, until a signal comes.
-/// @param branch what it goes on from; null: it begins at its start. @throws Interrupted at the end; InputError as
-/// WebServer; DeviceError, RunError as Solver.
-[[noreturn]] void serveScene(const Scene& scene, const Branch* branch, const ServeOptions& options,
-                             const CommonOptions& common);
+/// @throws Interrupted at the end; InputError as WebServer; DeviceError, RunError as Solver.
+[[noreturn]] void serveScene(const LoadServed& load, const ServeOptions& options, const CommonOptions& common);
 
 /// Simulates the changes of ServeOptions::replay, without a server. @returns the exit code: EXIT_DIFFERENT if another
 /// state comes out. @throws as serveScene().
-int replayChanges(const Scene& scene, const Branch* branch, const ServeOptions& options, const CommonOptions& common);
+int replayChanges(const LoadServed& load, const ServeOptions& options, const CommonOptions& common);
 
 }  // namespace knuckle

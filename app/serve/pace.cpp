@@ -12,6 +12,13 @@ void Pace::clear()
     owed_ = 0.0;
 }
 
+void Pace::begin(double timeStep)
+{
+    clear();
+    timeStep_ = timeStep;
+    stepSeconds_ = 0.0;
+}
+
 uint32_t Pace::due()
 {
     constexpr uint32_t MOST = 64;

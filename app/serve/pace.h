@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 
@@ -22,6 +23,10 @@ public:
     void ask(uint32_t steps) { asked_ += steps; }
     /// Forgets what was asked for, as before a start.
     void clear();
+    /// The same, and how long steps took: another simulation begins. @param timeStep [s]
+    void begin(double timeStep);
+    /// Whether steps that were due could not be taken in time.
+    bool isBehind() const { return owed_ > std::max(BATCH, 2.0 * timeStep_); }
 
     /// Steps to take now, at most as many as a machine takes in BATCH; what it cannot keep up with is forgotten.
     uint32_t due();

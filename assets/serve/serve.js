@@ -3,8 +3,11 @@ const query = location.search;   // has the token, if there is one
 const picture = $("picture"), message = $("message");
 let now = { paused: false, speed: 1 };
 
+let fading = 0;
 function tell(text) {
   message.textContent = text;
+  clearTimeout(fading);
+  fading = setTimeout(() => { message.textContent = ""; }, 6000);
 }
 
 // Answers with the JSON that came back, or null.
@@ -51,7 +54,6 @@ function placeOf(event) {
 let chosen = "";
 function choose(found) {
   if (!found) return;
-  if (found.message) return tell(found.message);
   chosen = found.name;
   $("chosen").hidden = !chosen;
   $("chosen-name").textContent = chosen;
@@ -60,15 +62,23 @@ function choose(found) {
 const letGo = () => chosen && send({ do: "release", name: chosen });
 
 // A drag turns or moves the camera, with Ctrl it pulls what is under the mouse; without moving it is a click.
-let drag = null, held = null;
+let drag = null, held = null, pulling = false;
+function togglePull() {
+  pulling = !pulling;
+  $("pull").setAttribute("aria-pressed", String(pulling));
+}
+$("pull").onclick = togglePull;
 picture.addEventListener("pointerdown", event => {
   if (event.button > 1) return;
   picture.setPointerCapture(event.pointerId);
   picture.classList.add("dragging");
-  drag = { x: event.clientX, y: event.clientY, moved: 0, pulls: event.ctrlKey || event.metaKey };
+  drag = { x: event.clientX, y: event.clientY, moved: 0, pulls: pulling || event.ctrlKey || event.metaKey };
   if (drag.pulls) {
     held = placeOf(event);
-    send({ do: "grab", at: held }).then(choose);
+    send({ do: "grab", at: held }).then(found => {
+      choose(found);
+      if (found && found.name && !found.canBePulled) tell(found.name + " cannot be pulled");
+    });
   }
 });
 picture.addEventListener("pointermove", event => {
@@ -109,6 +119,64 @@ function showSpeed() {
   $("speed").value = now.speed;
   $("speed-text").textContent = now.speed.toFixed(1);
 }
+
+// Settings that may change while it runs: a slider for each of their numbers.
+const FARTHEST = { gravity: 25, wind: 20, linearDamping: 10 };
+const TITLES = { linearDamping: "damping", maxSpeed: "top speed" };
+const sliders = new Map();
+function rowOf(field, k) {
+  const row = document.createElement("label"), name = document.createElement("span");
+  const slider = document.createElement("input"), text = document.createElement("output");
+  row.className = "field";
+  name.textContent = (TITLES[field.name] || field.name) + (field.value.length > 1 ? " " + "xyz"[k] : "");
+  const most = FARTHEST[field.name] || Infinity;
+  Object.assign(slider, { type: "range", min: Math.max(field.least, -most), max: Math.min(field.most, most), step: 0.01 });
+  slider.dataset.field = field.name + (field.value.length > 1 ? " " + "xyz"[k] : "");
+  slider.oninput = () => {
+    const held = sliders.get(field.name);
+    held.value[k] = Number(slider.value);
+    held.rows[k].show(held.value[k]);
+    held.touched = Date.now();
+    sendSum("set " + field.name, () => ({ do: "set", field: field.name, value: held.value.length > 1 ? held.value : held.value[0] }));
+  };
+  row.append(name, slider, text);
+  $("fields").append(row);
+  return { slider, show(value) {
+    slider.value = value;
+    text.textContent = Number(value.toFixed(2)) + " " + field.unit;
+  } };
+}
+let listed = "";
+function showFields(fields) {
+  const names = fields.map(field => field.name).join();
+  if (names !== listed) {
+    listed = names;
+    sliders.clear();
+    $("fields").replaceChildren();
+    for (const field of fields) sliders.set(field.name, { value: [], rows: field.value.map((_, k) => rowOf(field, k)), touched: 0 });
+  }
+  for (const field of fields) {
+    const held = sliders.get(field.name);
+    if (Date.now() - held.touched < 500) continue;
+    held.value = [...field.value];
+    held.value.forEach((value, k) => held.rows[k].show(value));
+  }
+}
+function toggleSettings() {
+  $("settings").hidden = !$("settings").hidden;
+  $("settings-button").setAttribute("aria-expanded", String(!$("settings").hidden));
+}
+$("settings-button").onclick = toggleSettings;
+$("share").oninput = () => {
+  $("share-text").textContent = Math.round(100 * $("share").value) + " %";
+  sendSum("share", () => ({ do: "share", part: Number($("share").value) }));
+};
+$("restart").onsubmit = event => {
+  event.preventDefault();
+  tell("it begins anew …");
+  send({ do: "restart", set: [$("set").value] }).then(answer => answer && tell(""));
+};
+
 const toggle = () => send({ do: now.paused ? "run" : "pause" });
 
 $("run").onclick = toggle;
@@ -122,7 +190,7 @@ $("help-button").onclick = () => $("help").showModal();
 const keys = {
   " ": toggle, s: () => send({ do: "step" }), r: () => send({ do: "reset" }), h: () => send({ do: "home" }),
   l: letGo,
-  "[": () => setSpeed(now.speed - 0.1), "]": () => setSpeed(now.speed + 0.1), "?": () => $("help").showModal(),
+  "[": () => setSpeed(now.speed - 0.1), "]": () => setSpeed(now.speed + 0.1), "?": () => $("help").showModal(), g: toggleSettings, p: togglePull,
   "+": () => zoom(0.9), "-": () => zoom(1 / 0.9),
   ArrowLeft: () => move("orbit", -0.1, 0), ArrowRight: () => move("orbit", 0.1, 0),
   ArrowUp: () => move("orbit", 0, 0.1), ArrowDown: () => move("orbit", 0, -0.1),
@@ -135,6 +203,13 @@ document.addEventListener("keydown", event => {
   key();
 });
 
+// Three digits: "2.04 k".
+function withPrefix(value) {
+  const kilos = value >= 999.5e6 ? 3 : value >= 999.5e3 ? 2 : value >= 999.5 ? 1 : 0;
+  const digits = value / 1000 ** kilos;
+  return digits.toFixed(digits < 9.995 ? 2 : digits < 99.95 ? 1 : 0) + " " + ["", "k", "M", "G"][kilos];
+}
+
 function show(figures) {
   now = figures;
   if (figures.message) tell(figures.message);
@@ -142,11 +217,16 @@ function show(figures) {
   $("time").textContent = figures.time.toFixed(2) + " s";
   $("step-time").textContent = figures.stepMilliseconds.toFixed(1) + " ms";
   $("draw-time").textContent = figures.drawMilliseconds.toFixed(0) + " ms";
+  $("rate").textContent = figures.picturesPerSecond.toFixed(figures.picturesPerSecond < 10 ? 1 : 0) + " /s";
   $("max-speed").textContent = figures.maxSpeed.toFixed(2) + " m/s";
-  $("energy").textContent = figures.energy.toPrecision(3) + " J";
+  $("energy").textContent = withPrefix(figures.energy) + "J";
   for (const name of ["contacts", "particles", "viewers"]) $(name).textContent = figures[name];
   $("run").textContent = figures.paused ? "run" : "pause";
   if (document.activeElement !== $("speed")) showSpeed();
+  showFields(figures.fields);
+  if (document.activeElement === $("share")) return;
+  $("share").value = figures.share;
+  $("share-text").textContent = Math.round(100 * figures.share) + " %";
 }
 
 const events = new EventSource("events" + query);

@@ -16,6 +16,12 @@ inline gpu::vec4 pack(const Quaternionf& q)
     return pack(q.vec(), q.w());
 }
 
+/// Of the first three values.
+inline Vector3f vectorOf(const gpu::vec4& v)
+{
+    return {v.x, v.y, v.z};
+}
+
 /// Half extents of a box, else radius and half height [m].
 inline Vector3f sizeOf(const Region& region)
 {

@@ -222,6 +222,13 @@ void Solver::edit(const std::function<void(StateEdit&)>& change)
     change(edit);
     edit.commit();
     loadState(state);
+    if (impl_->stages.fluidWatch) impl_->stages.fluidWatch->allowAll();
+}
+
+void Solver::surround(const Surroundings& surroundings)
+{
+    impl_->stages.surround(surroundings);
+    edit([](StateEdit& edit) { edit.wakeAll(); });
 }
 
 bool Solver::drive(uint32_t joint, const TurnDrive& drive)

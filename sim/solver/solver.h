@@ -17,6 +17,7 @@
 #include "sim/solver/measure/view_state.h"
 #include "sim/solver/particle_view.h"
 #include "sim/solver/stages_state.h"
+#include "sim/world/forces/surroundings.h"
 #include "sim/world/match/counterparts.h"
 #include "sim/world/world.h"
 
@@ -82,9 +83,11 @@ public:
     /// at once. @throws std::logic_error for fluid that has drained away where this world has neither drains nor
     /// emitters.
     void carryOver(const Solver& other, const Counterparts& same, uint64_t steps);
-    // The next two come after checkCounters(): no step before them is taken again.
+    // The next three come after checkCounters(): no step before them is taken again.
     /// Changes the state before the next step. Reads and writes all of it.
     void edit(const std::function<void(StateEdit&)>& change);
+    /// Gravity, wind and damping from the next step on; what sleeps wakes. Reads and writes the whole state.
+    void surround(const Surroundings& surroundings);
     /// Changes what drives a joint. @returns false if nothing drives it.
     bool drive(uint32_t joint, const TurnDrive& drive);
     /// Contacts that act. @throws std::logic_error with the paper's solver, which has no impulses.

@@ -72,6 +72,8 @@ public:
 
     /// Fills its buffers and sets its parameters, once; the order of stages does not matter. Lists come later.
     virtual void upload(const StageSetup& setup) = 0;
+    /// When gravity, wind or damping in the parameters are others than in the world: sets what depends on them.
+    virtual void adapt(gpu::StepParameters&) {}
     /// Gives its lists the capacities of the parameters; lists that are state keep their contents. @throws DeviceError,
     /// with the number, when the device's limits are too small for them.
     virtual void makeLists(const Gpu&) {}

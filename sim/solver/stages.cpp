@@ -16,12 +16,19 @@ namespace knuckle {
 
 namespace {
 
+void put(const Surroundings& surroundings, gpu::StepParameters& p)
+{
+    p.gravity = pack(surroundings.gravity, 0);
+    p.wind = pack(surroundings.wind, p.wind.w);
+    p.damping = std::exp(-surroundings.linearDamping * p.substepTime);
+    p.maxSpeed = surroundings.maxSpeed;
+}
+
 /// The parameters that all stages start from.
 gpu::StepParameters commonParameters(const World& world, const Layout& layout)
 {
     const Settings& s = world.settings;
     gpu::StepParameters p{};
-    p.gravity = pack(s.gravity, 0);
     p.particleCount = layout.solidCount;
     p.fluidCount = world.fluidCount;
     p.bodyCount = layout.bodyCount;
@@ -36,9 +43,8 @@ gpu::StepParameters commonParameters(const World& world, const Layout& layout)
     p.substeps = s.substeps;
     p.substepTime = s.timeStep / static_cast<float>(s.substeps);
     p.virtualParticles = s.virtualParticles;
-    p.damping = std::exp(-s.linearDamping * p.substepTime);
-    p.maxSpeed = s.maxSpeed;
     p.secondOrder = s.velocityOrder == VelocityOrder::Second ? 1u : 0u;
+    put(Surroundings::of(world), p);
     return p;
 }
 
@@ -210,8 +216,18 @@ StagesState Stages::save()
 void Stages::load(const StagesState& state)
 {
     parameters = state.parameters;
-    for (Stage* stage : all()) stage->makeLists(gpu_);
+    for (Stage* stage : all()) {
+        stage->adapt(parameters);
+        stage->makeLists(gpu_);
+    }
     table().loadState(state.buffers);
+}
+
+void Stages::surround(const Surroundings& surroundings)
+{
+    put(surroundings, parameters);
+    for (Stage* stage : all()) stage->adapt(parameters);
+    uploadParameters();
 }
 
 void Stages::grow(const gpu::Counters& c)

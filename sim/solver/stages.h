@@ -30,6 +30,7 @@
 #include "sim/solver/soft/soft_stage.h"
 #include "sim/solver/stages_state.h"
 #include "sim/solver/strand/strand_stage.h"
+#include "sim/world/forces/surroundings.h"
 
 namespace knuckle {
 
@@ -51,6 +52,8 @@ public:
     void loadHash() { load({&stateHash}); }
     /// Gives every list the room that kernels asked for. Lists keep their contents.
     void grow(const gpu::Counters& counters);
+    /// From the next step on.
+    void surround(const Surroundings& surroundings);
     /// What a run carries from step to step. Stalls until the GPU is done.
     StagesState save();
     /// @throws std::logic_error if the state is not from stages of the same World.

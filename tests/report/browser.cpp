@@ -128,6 +128,13 @@ void Browser::open(const std::string& file, const std::string& hash)
     }
 }
 
+void Browser::openAddress(const std::string& address)
+{
+    call("Page.navigate", {{"url", address}});
+    if (!waitFor("location.href !== 'about:blank' && document.readyState !== 'loading'"))
+        throw std::runtime_error("no page at " + address);
+}
+
 void Browser::emulate(const std::string& media, const std::string& value)
 {
     call("Emulation.setEmulatedMedia", {{"features", Json::array({{{"name", media}, {"value", value}}})}});
@@ -201,6 +208,28 @@ void Browser::drag(double fromX, double fromY, double toX, double toY)
 void Browser::moveTo(double x, double y)
 {
     mouse("mouseMoved", x, y);
+}
+
+void Browser::mouseDown(double x, double y, int keys)
+{
+    mouse("mousePressed", x, y, {{"button", "left"}, {"buttons", 1}, {"clickCount", 1}, {"modifiers", keys}});
+}
+
+void Browser::mouseMove(double x, double y, int keys)
+{
+    mouse("mouseMoved", x, y, {{"button", "left"}, {"buttons", 1}, {"modifiers", keys}});
+}
+
+void Browser::mouseUp(double x, double y, int keys)
+{
+    mouse("mouseReleased", x, y, {{"button", "left"}, {"clickCount", 1}, {"modifiers", keys}});
+}
+
+void Browser::doubleClick(double x, double y)
+{
+    for (const int count : {1, 2})
+        for (const char* type : {"mousePressed", "mouseReleased"})
+            mouse(type, x, y, {{"button", "left"}, {"clickCount", count}});
 }
 
 void Browser::wheel(double x, double y, double delta)

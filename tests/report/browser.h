@@ -25,6 +25,8 @@ public:
 
     /// Loads a file and waits until it is complete. @param file absolute. @param hash with its #, or nothing.
     void open(const std::string& file, const std::string& hash = "");
+    /// The same for a page of a server, which may go on to send pictures: waits until its scripts have run.
+    void openAddress(const std::string& address);
     void emulate(const std::string& media, const std::string& value);
     void setScripts(bool run);
     /// The value of a JavaScript expression; promises are waited for. @throws std::runtime_error for an exception.
@@ -36,6 +38,12 @@ public:
     /// Presses, moves in steps and releases.
     void drag(double fromX, double fromY, double toX, double toY);
     void moveTo(double x, double y);
+    // The left button, with keys held: CONTROL or none.
+    static constexpr int CONTROL = 2;
+    void mouseDown(double x, double y, int keys = 0);
+    void mouseMove(double x, double y, int keys = 0);
+    void mouseUp(double x, double y, int keys = 0);
+    void doubleClick(double x, double y);
     void wheel(double x, double y, double delta);
     /// Two fingers move apart around a point.
     void pinch(double x, double y, double fromDistance, double toDistance);

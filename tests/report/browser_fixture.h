@@ -19,7 +19,8 @@ class ReportInBrowser : public testing::TestWithParam<bool> {
 protected:
     void SetUp() override
     {
-        if (Browser::program().empty()) GTEST_SKIP() << "no chromium here, which shows the page";
+        if (Browser::program().empty())
+            GTEST_SKIP() << "no chromium here, which shows the page; scripts/install.sh --browser";
         EntryList list(100'000'000);
         Picture places = madeSceneWithBox(40, 20, 30, 30);
         fillBox(places, 140, 70, 6, 4, {0, 0, 0});

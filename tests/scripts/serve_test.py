@@ -23,9 +23,9 @@ def check(holds, what):
 class Served:
     """The program while it serves on a free port."""
 
-    def __init__(self, *options):
+    def __init__(self, *options, scene=SCENE):
         self.process = subprocess.Popen(
-            [PROGRAM, "--device", "software", "serve", SCENE, "--port", "0", "--size", "%dx%d" % SIZE, "--hash", *options],
+            [PROGRAM, "--device", "software", "serve", scene, "--port", "0", "--size", "%dx%d" % SIZE, "--hash", *options],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
         found = re.search(r"http://127\.0\.0\.1:(\d+)/", line)
@@ -107,6 +107,8 @@ def refuse(served):
     own, other = "http://127.0.0.1:%d" % served.port, "http://example.org"
     check(served.ask("POST", "/input", '{"do": "home"}', Origin=own)[0] == 200, "the own site is refused")
     check(served.ask("POST", "/input", '{"do": "run"}', Origin=other)[0] == 403, "another site may steer")
+    for path, status in (("/stream", 403), ("/events", 403), ("/", 200)):
+        check(served.ask("GET", path, Sec_Fetch_Site="cross-site")[0] == status, "another site and " + path)
     check(served.ask("GET", "/", Host="example.org")[0] == 403, "another host's name is answered")
     for body in ("", "[]", "{", '{"do": "hom"}', '{"do": "zoom", "factor": 0}', '{"do": "pan", "by": [1]}',
                  '{"do": "orbit", "by": [1e999, 0]}', '{"do": "step", "count": "x"}', "[" * 60000):
@@ -133,11 +135,45 @@ def crowd(served):
     served.until(lambda f: f["viewers"] == 0, "who has gone still counts")
 
 
-def find(served, wish):
-    """Asks from the middle outwards until something has a name."""
+def speed(served):
+    """Steps a second."""
+    first, began = served.figures()["step"], time.time()
+    time.sleep(2)
+    return (served.figures()["step"] - first) / (time.time() - began)
+
+
+def hundred(served):
+    """A hundred connections that ask for nothing, or for pictures and read none: steps go on at their speed."""
+    served.wish(do="run")
+    alone = speed(served)
+    idle = []
+    for k in range(100):
+        connection = socket.create_connection(("127.0.0.1", served.port))
+        if k % 2:
+            connection.sendall(b"GET /stream HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+        idle.append(connection)
+        # Those that listen already are served on; the others' turn comes when some of these are given up.
+        if k == 0:
+            listening = served.ask("GET", "/events")[1]
+    steps = []
+    for line in iter(listening.readline, b""):
+        if line.startswith(b"data: "):
+            steps.append((time.time(), json.loads(line[6:])["step"]))
+        if steps and steps[-1][0] - steps[0][0] > 3:
+            break
+    crowded = (steps[-1][1] - steps[0][1]) / (steps[-1][0] - steps[0][0])
+    check(crowded > 0.8 * alone, "%.1f steps a second among a hundred connections, %.1f alone" % (crowded, alone))
+    listening.close()
+    for connection in idle:
+        connection.close()
+    served.until(lambda f: f["viewers"] == 0, "who has gone still counts")
+
+
+def find(served, wish, kind="isBody", bodies=True):
+    """Asks from the middle outwards until something is of a kind."""
     for x, y in [(0.5, 0.5)] + [(x / 20, y / 20) for y in range(4, 18, 2) for x in range(2, 19)]:
         found = served.wish(do=wish, at=[x, y], **({"speed": 3} if wish == "throw" else {}))
-        if found.get("isBody"):
+        if found.get(kind) and (bodies or not found["isBody"]):
             return found["name"], (x, y)
     check(False, "nothing to " + wish)
     return "", (0.5, 0.5)
@@ -162,6 +198,112 @@ def interact(log):
     served.wish(do="step", count=10)
     served.until(lambda f: f["step"] == 40, "no last steps")
     return served.end()
+
+
+def replayed(log, scene=SCENE):
+    return subprocess.run([PROGRAM, "--device", "software", "serve", scene, "--replay", log, "--hash"],
+                          capture_output=True, text=True)
+
+
+def same(log, hash, scene=SCENE):
+    run = replayed(log, scene)
+    check(run.returncode == 0 and "state hash " + hash in run.stdout,
+          "%s replayed: %s%s" % (scene, run.stdout, run.stderr))
+
+
+def field(figures, name):
+    return next(field["value"] for field in figures["fields"] if field["name"] == name)
+
+
+def settings(log):
+    """Gravity changes the state at once, a reset brings it back; what cannot change wants a restart."""
+    served = Served("--log", log)
+    served.wish(do="pause")
+    served.wish(do="reset")
+    for body in ({"field": "gravity", "value": [0, -3, 0, 1]}, {"field": "gravity", "value": 3},
+                 {"field": "gravity", "value": [0, -300, 0]}, {"field": "solver.substeps", "value": 8},
+                 {"field": "gravty", "value": [0, 0, 0]}, {"field": "gravity"}, {"value": 1}):
+        status, text = served.ask("POST", "/input", json.dumps({"do": "set", **body}))
+        check(status == 400 and text.count(b"\n") == 1, "taken: %s: %s" % (body, text))
+    check(served.wish(do="set", field="gravity", value=[0, 9, 2]) == {}, "gravity does not change")
+    served.wish(do="step", count=30)
+    figures = served.until(lambda f: f["step"] == 30 and f["maxSpeed"] > 4, "nothing falls upwards")
+    check(field(figures, "gravity") == [0, 9, 2], "another gravity")
+    served.wish(do="set", field="linearDamping", value=5)
+    served.wish(do="step", count=10)
+    served.until(lambda f: f["step"] == 40, "no ten steps")
+    first = served.end()
+    same(log, first)
+    served = Served("--log", log)
+    served.wish(do="pause")
+    served.wish(do="set", field="gravity", value=[0, 9, 2])
+    served.wish(do="reset")
+    served.until(lambda f: field(f, "gravity")[1] < -9, "a reset keeps gravity")
+    for sets in ("solver.substeps=8", ["solver.substep=8"], ["x"]):
+        status, text = served.ask("POST", "/input", json.dumps({"do": "restart", "set": sets}))
+        check(status == 400 and text.count(b"\n") == 1, "restarted: %s: %s" % (sets, text))
+    check(served.wish(do="restart", set=["solver.substeps=8"]) == {}, "no restart")
+    served.wish(do="set", field="gravity", value=[1, -5, 0])
+    served.wish(do="step", count=20)
+    figures = served.until(lambda f: f["step"] == 20, "no steps after a restart")
+    check(figures["paused"] and figures["restarts"] == ["solver.substeps=8"], "a restart is not told")
+    second = served.end()
+    check(first != second, "a restart changes nothing")
+    same(log, second)
+
+
+def pulled(log, scene):
+    """What has no bodies can be pulled, too."""
+    served = Served("--log", log, scene=scene)
+    served.wish(do="pause")
+    served.wish(do="reset")
+    name, (x, y) = find(served, "grab", "canBePulled", bodies=False)
+    for step in range(20):
+        served.wish(do="drag", at=[x, max(0.0, y - 0.4)])
+        served.wish(do="step", count=1)
+        served.until(lambda f: f["step"] == step + 1, "no step")
+    hash = served.end()
+    stirs = [line for line in map(json.loads, open(log)) if line.get("stir") == name]
+    check(len(stirs) == 20, "%s: %d pulls of %s" % (scene, len(stirs), name))
+    check(stirs and stirs[-1]["at"][1] > stirs[0]["at"][1] + 0.05, "%s: it does not rise: %s" % (scene, stirs[-1:]))
+    same(log, hash, scene)
+
+
+def killed(log):
+    """A log counts up to its last line, whatever ends the program."""
+    states = []
+    for signalled in (signal.SIGINT, signal.SIGKILL):
+        served = Served("--log", log)
+        served.wish(do="pause")
+        served.wish(do="reset")
+        name, _ = find(served, "pick")
+        served.wish(do="step", count=12)
+        served.until(lambda f: f["step"] == 12, "no twelve steps")
+        served.wish(do="push", name=name, impulse=[1, 2, 3])
+        served.figures()
+        if signalled == signal.SIGINT:
+            states.append(served.end())
+            continue
+        served.process.kill()
+        served.process.communicate()
+        with open(log, "a") as file:
+            file.write('{"step":13,"pu')
+    run = replayed(log)
+    check(run.returncode == 0 and "state hash " + states[0] in run.stdout and "not recorded" in run.stderr,
+          "a log without its end: %s%s" % (run.stdout, run.stderr))
+
+
+def faulty(log):
+    """Logs that are none: one line that names the faulty one."""
+    head = open(log).readline()
+    lines = ('{"step":5,"push":"x"}', '{"step":5,"set":"gravity","value":[0]}', '{"step":5,"set":"wind","value":[0,0,0]}',
+             '{"step":5,"stir":"x","impulse":[0,0,0],"at":[0,0,0],"radius":1}', '{"step":"x"}', 'x',
+             '{"step":5,"reset":true}\n{"step":4,"end":"00"}\n{"step":5,"reset":true}')
+    for text in ("", "x\n", "{}\n", *(head + line + "\n" for line in lines)):
+        with open(log, "w") as file:
+            file.write(text)
+        run = replayed(log)
+        check(run.returncode == 2 and run.stderr.count("\n") == 1, "a faulty log: %r %s" % (text, run.stderr))
 
 
 def replay(log, hash):
@@ -190,9 +332,15 @@ look(served)
 steer(served)
 refuse(served)
 crowd(served)
+hundred(served)
 served.end()
 with tempfile.TemporaryDirectory() as folder:
     changes = os.path.join(folder, "changes")
     replay(changes, interact(changes))
+    killed(os.path.join(folder, "killed"))
+    settings(os.path.join(folder, "settings"))
+    faulty(os.path.join(folder, "settings"))
+    for scene in ("hourglass", "curtain", "jelly", "layers"):
+        pulled(os.path.join(folder, scene), "assets/scenes/%s.json" % scene)
 token()
 sys.exit(1 if failures else 0)

@@ -27,6 +27,16 @@ std::vector<uint32_t> bodiesOf(const Object& object)
 
 }  // namespace
 
+std::optional<Named> looseNamed(const World& world, const std::string& name)
+{
+    for (const LooseGroup& group : world.looseGroups)
+        if (group.name == name) return Named{{}, group.first, group.end};
+    for (const SoftBody& soft : world.softBodies)
+        if (soft.object != NO_INDEX && world.objects[soft.object].name == name)
+            return Named{{}, soft.particleStart, soft.particleStart + soft.particleCount};
+    return {};
+}
+
 Named named(const World& world, const std::string& name)
 {
     std::vector<std::string> known;
@@ -35,10 +45,10 @@ Named named(const World& world, const std::string& name)
         if (object.name == name) return {bodiesOf(object)};
         known.push_back(object.name);
     }
-    for (const LooseGroup& group : world.looseGroups) {
-        if (group.name == name) return {{}, group.first, group.end};
-        known.push_back(group.name);
-    }
+    if (const std::optional<Named> loose = looseNamed(world, name)) return *loose;
+    for (const LooseGroup& group : world.looseGroups) known.push_back(group.name);
+    for (const SoftBody& soft : world.softBodies)
+        if (soft.object != NO_INDEX) known.push_back(world.objects[soft.object].name);
     for (uint32_t b = 0; b < world.bodies.size(); ++b)
         if (world.bodies[b].object != NO_INDEX && nameInScene(world, world.bodies[b]) == name) return {{b}};
     failUnknown("object or body", name, known);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct Named {
     bool isLoose() const { return bodies.empty(); }
 };
 
+/// An object or a group of particles without bodies; none if there is none of that name.
+std::optional<Named> looseNamed(const World& world, const std::string& name);
 /// "object", or "object/body" where that has several. @throws InputError that names what there is.
 Named named(const World& world, const std::string& name);
 /// The same for bodies alone. @throws InputError for what has none, too.

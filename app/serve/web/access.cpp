@@ -25,6 +25,11 @@ bool isOwnOrigin(std::string_view origin, std::string_view host)
     return false;
 }
 
+bool isOfAnotherSite(std::string_view fetchSite)
+{
+    return fetchSite == "cross-site" || fetchSite == "same-site";
+}
+
 bool isSameSecret(std::string_view given, std::string_view secret)
 {
     size_t different = given.size() ^ secret.size();

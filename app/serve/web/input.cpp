@@ -40,11 +40,29 @@ Eigen::Matrix<float, N, 1> numbersIn(const Json& json, const std::string& field,
     return values;
 }
 
-std::string nameIn(const Json& json)
+std::string wordIn(const Json& json, const std::string& field, const std::string& need)
 {
-    const auto found = json.find("name");
-    if (found == json.end() || !found->is_string()) failAt(WHERE, "/name", "must be the name of an object or a body");
+    const auto found = json.find(field);
+    if (found == json.end() || !found->is_string()) failAt(WHERE, "/" + field, need);
     return found->get<std::string>();
+}
+
+std::vector<float> valueIn(const Json& json)
+{
+    constexpr float MOST = 1e6f;
+    if (json.contains("value") && json.at("value").is_number()) return {numberIn(json, "value", -MOST, MOST)};
+    const Eigen::Vector3f vector = numbersIn<3>(json, "value", MOST);
+    return {vector.x(), vector.y(), vector.z()};
+}
+
+std::vector<std::string> setsIn(const Json& json)
+{
+    constexpr size_t MOST = 64;
+    const auto found = json.find("set");
+    const bool fits = found != json.end() && found->is_array() && found->size() <= MOST &&
+                      std::ranges::all_of(*found, [](const Json& set) { return set.is_string(); });
+    if (!fits) failAt(WHERE, "/set", "must be a list of changes, such as [\"solver.substeps=8\"]");
+    return found->get<std::vector<std::string>>();
 }
 
 InputKind kindOf(const Json& json)
@@ -69,11 +87,17 @@ Input parseInput(const std::string& text)
     Input input{.kind = kindOf(json)};
     if (input.kind == InputKind::Orbit || input.kind == InputKind::Pan) input.by = numbersIn<2>(json, "by", 10.0f);
     if (input.kind == InputKind::Zoom) input.factor = numberIn(json, "factor", 0.1f, 10.0f);
+    if (input.kind == InputKind::Share) input.factor = numberIn(json, "part", 0.01f, 1.0f);
     if (input.kind == InputKind::Speed) input.factor = numberIn(json, "factor", 0.1f, 1.0f);
-    const bool points = input.wantsAnswer() || input.kind == InputKind::Drag;
-    if (points) input.at = numbersIn<2>(json, "at", 1.0f).cwiseMax(0.0f);
+    if (input.points()) input.at = numbersIn<2>(json, "at", 1.0f).cwiseMax(0.0f);
     if (input.kind == InputKind::Throw) input.factor = numberIn(json, "speed", 0.1f, 50.0f);
-    if (input.kind == InputKind::Push || input.kind == InputKind::Release) input.name = nameIn(json);
+    if (input.kind == InputKind::Push || input.kind == InputKind::Release)
+        input.name = wordIn(json, "name", "must be the name of an object or a body");
+    if (input.kind == InputKind::Set) {
+        input.name = wordIn(json, "field", "must be the name of a field, such as \"gravity\"");
+        input.value = valueIn(json);
+    }
+    if (input.kind == InputKind::Restart) input.sets = setsIn(json);
     if (input.kind == InputKind::Push) {
         input.impulse = numbersIn<3>(json, "impulse", 1e6f);
         if (json.contains("at")) input.place = numbersIn<3>(json, "at", 1e6f);

@@ -159,7 +159,9 @@ struct WebServer::Impl {
             refuse(response, 403, "this is not the host that is asked for");
             return false;
         }
-        if (!isOwnOrigin(request.get_header_value("Origin"), host)) {
+        // Of pictures that another site shows browsers name no origin.
+        const bool isElsewhere = isOfAnotherSite(request.get_header_value("Sec-Fetch-Site")) && request.path != "/";
+        if (isElsewhere || !isOwnOrigin(request.get_header_value("Origin"), host)) {
             refuse(response, 403, "pages of other sites are not answered");
             return false;
         }

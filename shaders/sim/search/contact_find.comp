@@ -90,8 +90,7 @@ void main()
             uint m = indexOf(ahead, first + takeFirst(hits), range);
             SortedParticle other = fetchSortedParticle(m);
             vec3 place = fetchSortedPosition(m).position;
-            if (other.fast || !inForwardRange(cell, range, place)) continue;
-            if (!mayTouch(self.particle, other.particle)) continue;
+            if (other.fast || !inForwardRange(cell, range, place) || !mayTouch(self.particle, other.particle)) continue;
             float further = max(reachOf(self.particle), reachOf(other.particle));
             if (speaks(self.particle, other.particle, own.position - place, further))
                 notePair(self.particle, other.particle, count++);

@@ -84,7 +84,22 @@ OutputFile::~OutputFile()
 void OutputFile::write(std::string_view bytes)
 {
     unwritten_ += bytes;
-    if (unwritten_.size() >= BLOCK) flush();
+    if (appeared_ || unwritten_.size() >= BLOCK) flush();
+}
+
+void OutputFile::appear()
+{
+    flush();
+    name();
+    appeared_ = true;
+}
+
+void OutputFile::name()
+{
+    if (temporary_.empty()) return;
+    if (std::rename(temporary_.c_str(), place_.path.c_str()) != 0) failWriting(errno);
+    temporary_.clear();
+    leftover_.reset();
 }
 
 void OutputFile::flush()
@@ -102,10 +117,7 @@ void OutputFile::commit()
 {
     flush();
     if (close(std::exchange(file_, -1)) != 0) failWriting(errno);
-    if (temporary_.empty()) return;
-    if (std::rename(temporary_.c_str(), place_.path.c_str()) != 0) failWriting(errno);
-    temporary_.clear();
-    leftover_.reset();
+    name();
 }
 
 void OutputFile::commitDurably()

@@ -25,6 +25,9 @@ public:
 
     /// @throws RunError with the system's reason, such as a full disk or a closed pipe.
     void write(std::string_view bytes);
+    /// For logs, which count even if the program is killed: gives the file its name now, and writes at once what comes
+    /// later. @throws RunError.
+    void appear();
     /// Completes the file. @throws RunError.
     void commit();
     /// The same, and waits until the file and its name are on the disk.
@@ -39,13 +42,14 @@ public:
 private:
     int openBeside();
     void flush();
+    void name();
     [[noreturn]] void failWriting(int error) const;
 
     OutputPlace place_;
     std::string temporary_;  ///< Empty: none, or not any longer.
     std::optional<Leftover> leftover_;
     int file_ = -1;
-    bool emptied_ = false;
+    bool emptied_ = false, appeared_ = false;
     std::string unwritten_;
 };
 

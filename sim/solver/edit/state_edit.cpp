@@ -1,9 +1,11 @@
 #include "sim/solver/edit/state_edit.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "shared/constants.h"
 #include "shared/counters.h"
+#include "sim/solver/edit/clump.h"
 #include "sim/solver/layout/body_mass.h"
 #include "sim/solver/pack.h"
 #include "sim/solver/state_values.h"
@@ -14,11 +16,6 @@ namespace {
 
 using Eigen::Isometry3f;
 using Eigen::Matrix3f;
-
-Vector3f vectorOf(const gpu::vec4& v)
-{
-    return {v.x, v.y, v.z};
-}
 
 /// The fourth value stays.
 void put(gpu::vec4& to, const Vector3f& v)
@@ -89,9 +86,7 @@ std::vector<uint32_t> StateEdit::particlesOf(std::span<const uint32_t> bodies) c
 
 void StateEdit::wake(uint32_t mover, uint32_t assembly)
 {
-    // Velocities are of first order in the next substep, since nothing is known of the one before.
-    assemblies_[assembly].x = substep_ > 0 ? substep_ - 1 : NO_SUBSTEP;
-    if (assembly < calm_.size()) calm_[assembly] = {0, assembly};
+    beginAnew(assembly);
     if (movers_[mover] != MOVER_ASLEEP) return;
     for (uint32_t b = 0; b < layout_.bodyCount; ++b)
         if (world_.bodies[b].assembly == assembly && movers_[b] == MOVER_ASLEEP) movers_[b] = MOVER_DYNAMIC;
@@ -99,6 +94,20 @@ void StateEdit::wake(uint32_t mover, uint32_t assembly)
         uint32_t& state = movers_[layout_.ranks[i].mover];
         if (layout_.assemblies[i] == assembly && state == MOVER_ASLEEP) state = MOVER_DYNAMIC;
     }
+}
+
+void StateEdit::wakeAll()
+{
+    for (uint32_t& mover : movers_)
+        if (mover == MOVER_ASLEEP) mover = MOVER_DYNAMIC;
+    for (uint32_t a = 0; a < assemblies_.size(); ++a) beginAnew(a);
+}
+
+void StateEdit::beginAnew(uint32_t assembly)
+{
+    // Velocities are of first order in the next substep, since nothing is known of the one before.
+    assemblies_[assembly].x = substep_ > 0 ? substep_ - 1 : NO_SUBSTEP;
+    if (assembly < calm_.size()) calm_[assembly] = {0, assembly};
 }
 
 void StateEdit::move(std::span<const uint32_t> bodies, const Isometry3f& motion)
@@ -146,6 +155,17 @@ void StateEdit::push(uint32_t body, const Vector3f& impulse, const Vector3f& at)
     const Matrix3f inverse = place.linear() * mass.inverseInertia.cast<float>() * place.linear().transpose();
     const Vector3f angular = Vector3f(at - place.translation()).cross(impulse);
     setVelocity({{body}}, {impulse / static_cast<float>(mass.mass), inverse * angular, place.translation()}, true);
+}
+
+bool StateEdit::stir(uint32_t first, uint32_t end, const Vector3f& impulse, const Vector3f& at, float radius)
+{
+    const Clump clump = clumpAround(world_, first, end, at, radius, [&](uint32_t i) -> std::optional<Vector3f> {
+        if (positions_[i].w != 0.0f) return {};
+        return vectorOf(positions_[i]);
+    });
+    for (const auto& [particle, share] : clump.shares)
+        setParticleVelocity(particle, vectorOf(velocities_[particle]) + share / clump.mass * impulse);
+    return !clump.empty();
 }
 
 bool StateEdit::letGo(std::span<const uint32_t> bodies)

@@ -39,6 +39,11 @@ public:
     void setParticleVelocity(uint32_t particle, const Vector3f& velocity);
     /// @param impulse on a body [N s]. @param at  where [m].
     void push(uint32_t body, const Vector3f& impulse, const Vector3f& at);
+    /// Spreads an impulse over particles without bodies, first ... end - 1, nearer to a place than `radius` [m].
+    /// @param impulse their sum [N s]. @returns false, and changes nothing, if there is none.
+    bool stir(uint32_t first, uint32_t end, const Vector3f& impulse, const Vector3f& at, float radius);
+    /// As after a change that everything feels.
+    void wakeAll();
     /// Lets go of bodies that are held or follow a clip, in the next substep; those of puppets go limp.
     /// @returns false, and changes nothing, if one is held for ever.
     bool letGo(std::span<const uint32_t> bodies);
@@ -46,6 +51,7 @@ public:
 
 private:
     std::vector<uint32_t> particlesOf(std::span<const uint32_t> bodies) const;
+    void beginAnew(uint32_t assembly);
     void wake(uint32_t mover, uint32_t assembly);
     void makeLimp(std::span<const uint32_t> bodies);
 

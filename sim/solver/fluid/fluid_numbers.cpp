@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "sim/solver/fluid/fluid_lattice.h"
+#include "sim/solver/pack.h"
 
 namespace knuckle {
 
@@ -120,10 +121,15 @@ void setFluidParameters(gpu::StepParameters& p, const World& world)
     setLattice(p, world);
     const Settings& s = world.settings;
     p.evenSmoothing = static_cast<float>(std::min(EVEN_SMOOTHING * s.timeStep, MOST_SMOOTHING));
-    p.quietSpeed = QUIET * std::max(s.gravity.norm(), 1.0f) * p.substepTime;
+    setQuietSpeed(p);
     const LatticeSums lattice(p.fluidSpacing, p.fluidReach);
     p.fluidVolume = static_cast<float>(DISORDER / lattice.density);
     p.fluidSoftness = static_cast<float>(0.01 * lattice.slopes / (lattice.density * lattice.density));
+}
+
+void setQuietSpeed(gpu::StepParameters& p)
+{
+    p.quietSpeed = QUIET * std::max(vectorOf(p.gravity).norm(), 1.0f) * p.substepTime;
 }
 
 bool isViscous(const Material& material)

@@ -8,6 +8,9 @@ namespace knuckle {
 /// Sets the parameters of fluids, after those of the step.
 void setFluidParameters(gpu::StepParameters& parameters, const World& world);
 
+/// The one of them that gravity determines.
+void setQuietSpeed(gpu::StepParameters& parameters);
+
 /// Fluids of this viscosity and more are solved implicitly [Pa s].
 inline constexpr float VISCOUS = 0.1f;
 

@@ -40,6 +40,11 @@ FluidStage::FluidStage(const StageSetup& setup)
 {
 }
 
+void FluidStage::adapt(gpu::StepParameters& parameters)
+{
+    setQuietSpeed(parameters);
+}
+
 void FluidStage::upload(const StageSetup& setup)
 {
     const Settings& settings = setup.world.settings;

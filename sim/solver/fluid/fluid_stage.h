@@ -15,6 +15,7 @@ public:
     /// @throws DeviceError when the device's limits are too small for the lists of neighbours.
     explicit FluidStage(const StageSetup& setup);
     void upload(const StageSetup& setup) override;
+    void adapt(gpu::StepParameters& parameters) override;
     void addBuffers(BufferTable& table) override;
     void reserve(gpu::StepParameters& parameters, const gpu::Counters& counters) const override;
 

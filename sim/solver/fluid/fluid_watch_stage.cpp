@@ -66,6 +66,12 @@ void FluidWatchStage::begin(Recorder& recorder) const
     recorder.groups(begin_, 1);
 }
 
+void FluidWatchStage::allowAll()
+{
+    const std::array<float, 2> limits{std::numeric_limits<float>::max(), std::numeric_limits<float>::max()};
+    fluidEnergyLimits.upload(std::span<const float>(limits));
+}
+
 void FluidWatchStage::watch(Recorder& recorder) const
 {
     sum(recorder);

@@ -16,6 +16,8 @@ public:
 
     /// Once, before the first step: notes the energy.
     void begin(Recorder& recorder) const;
+    /// From now on they may have any energy: a user drives them.
+    void allowAll();
     /// Compares the energy with it, at the end of a step.
     void watch(Recorder& recorder) const;
 

@@ -33,7 +33,8 @@ float dropDrag(float spacing)
 }  // namespace
 
 ForceStage::ForceStage(const StageSetup& setup)
-    : parameters_(setup.parameters), hasMovers_(setup.layout.moverCount() > 0), hasFluids_(setup.world.fluidCount > 0),
+    : parameters_(setup.parameters), wind_(setup.world.wind.value_or(Wind{.density = 0.0f})),
+      hasMovers_(setup.layout.moverCount() > 0), hasFluids_(setup.world.fluidCount > 0),
       hasCloth_(!setup.world.clothTriangles.empty())
 {
 }
@@ -41,23 +42,29 @@ ForceStage::ForceStage(const StageSetup& setup)
 void ForceStage::upload(const StageSetup& setup)
 {
     const World& world = setup.world;
-    const Wind wind = world.wind.value_or(Wind{.density = 0.0f});
-    setup.parameters.wind = pack(wind.velocity, wind.density);
+    setup.parameters.wind.w = wind_.density;
+    adapt(setup.parameters);
     setup.parameters.dropDrag = dropDrag(world.fluidSpacing);
     std::vector<gpu::ForceField> fields;
     for (const ForceField& field : world.forceFields) fields.push_back(packField(field));
-    std::vector<gpu::GustWave> waves;
-    for (const GustWave& w : knuckle::gustWaves(wind))
-        waves.push_back({pack(w.wave, w.phase), pack(w.amplitude, w.rate - w.wave.dot(wind.velocity))});
     setup.parameters.forceFieldCount = static_cast<uint32_t>(fields.size());
-    setup.parameters.gustWaveCount = static_cast<uint32_t>(waves.size());
     std::vector<gpu::vec4> drags;
     for (const Vector3f& drag : dragsOf(world)) drags.push_back(pack(drag, 0));
     forceFields = {"forceFields", std::span<const gpu::ForceField>(fields)};
-    gustWaves = {"gustWaves", std::span<const gpu::GustWave>(waves)};
     moverDrags = {"moverDrags", std::span<const gpu::vec4>(drags)};
     moverAccelerations = {"moverAccelerations", drags.size()};
     uploadCloth(setup);
+}
+
+void ForceStage::adapt(gpu::StepParameters& p)
+{
+    Wind wind = wind_;
+    wind.velocity = vectorOf(p.wind);
+    std::vector<gpu::GustWave> waves;
+    for (const GustWave& w : knuckle::gustWaves(wind))
+        waves.push_back({pack(w.wave, w.phase), pack(w.amplitude, w.rate - w.wave.dot(wind.velocity))});
+    p.gustWaveCount = static_cast<uint32_t>(waves.size());
+    gustWaves = {"gustWaves", std::span<const gpu::GustWave>(waves)};
 }
 
 void ForceStage::uploadCloth(const StageSetup& setup)

@@ -12,6 +12,7 @@ public:
     static bool isNeeded(const World& world) { return hasForces(world); }
     explicit ForceStage(const StageSetup& setup);
     void upload(const StageSetup& setup) override;
+    void adapt(gpu::StepParameters& parameters) override;
     void addBuffers(BufferTable& table) override;
 
     /// At the start of a substep: computes how movers are accelerated in it.
@@ -30,6 +31,7 @@ private:
     void uploadCloth(const StageSetup& setup);
 
     const gpu::StepParameters& parameters_;
+    Wind wind_;  ///< Of the world.
     bool hasMovers_, hasFluids_, hasCloth_;
     Pass movers_{*this, "forces/mover_forces", definesOf({{"CLOTH", hasCloth_}}), hasMovers_};
     Pass fluids_{*this, "fluid/fluid_forces", {}, hasFluids_};

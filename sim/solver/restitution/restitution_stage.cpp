@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/solver/pack.h"
+
 namespace knuckle {
 
 namespace {
@@ -25,12 +27,16 @@ RestitutionStage::RestitutionStage(const StageSetup& setup)
 
 void RestitutionStage::upload(const StageSetup& setup)
 {
-    // Twice what gravity gives in a substep, so that resting bodies do not bounce.
-    gpu::StepParameters& p = setup.parameters;
-    p.restitutionThreshold = std::max(2.0f * setup.world.settings.gravity.norm() * p.substepTime, 0.02f);
+    adapt(setup.parameters);
     moverRestitutionSplits = {"moverRestitutionSplits", setup.layout.moverCount()};
     moverRestitutionShares = {"moverRestitutionShares", setup.layout.moverCount()};
     moverSolvedVelocities = {"moverSolvedVelocities", setup.world.bodies.size() * 3 + setup.layout.moverCount()};
+}
+
+void RestitutionStage::adapt(gpu::StepParameters& p)
+{
+    // Twice what gravity gives in a substep, so that resting bodies do not bounce.
+    p.restitutionThreshold = std::max(2.0f * vectorOf(p.gravity).norm() * p.substepTime, 0.02f);
 }
 
 void RestitutionStage::makeLists(const Gpu&)

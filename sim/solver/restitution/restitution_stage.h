@@ -12,6 +12,7 @@ public:
     static bool isNeeded(const World& world);
     explicit RestitutionStage(const StageSetup& setup);
     void upload(const StageSetup& setup) override;
+    void adapt(gpu::StepParameters& parameters) override;
     void addBuffers(BufferTable& table) override;
     void makeLists(const Gpu& gpu) override;
 

@@ -6,6 +6,8 @@
 #include "shared/force_types.h"
 #include "sim/base/angles.h"
 #include "sim/base/random.h"
+#include "sim/world/forces/surroundings.h"
+#include "sim/world/world.h"
 
 namespace knuckle {
 
@@ -39,6 +41,13 @@ float falloffAt(const ForceField& field, float distance)
 float reachOf(const Region& region)
 {
     return region.shape == ColliderShape::Box ? region.halfExtents.norm() : region.radius;
+}
+
+Surroundings Surroundings::of(const World& world)
+{
+    const Settings& s = world.settings;
+    const Vector3f wind = world.wind ? world.wind->velocity : Vector3f::Zero();
+    return {s.gravity, wind, s.linearDamping, s.maxSpeed};
 }
 
 std::vector<GustWave> gustWaves(const Wind& wind)

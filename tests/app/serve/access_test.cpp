@@ -25,6 +25,8 @@ TEST(Serve, AnswersPagesOfItsOwnSiteAlone)
     for (const char* other :
          {"null", "http://localhost:8081", "http://example.org", "http://localhost:8080.example.org"})
         EXPECT_FALSE(isOwnOrigin(other, "localhost:8080")) << other;
+    for (const char* own : {"", "same-origin", "none"}) EXPECT_FALSE(isOfAnotherSite(own)) << own;
+    for (const char* other : {"cross-site", "same-site"}) EXPECT_TRUE(isOfAnotherSite(other)) << other;
 }
 
 TEST(Serve, TakesTheWholeSecretAlone)

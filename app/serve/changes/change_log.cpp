@@ -1,11 +1,11 @@
-#include "app/serve/change.h"
+#include "app/serve/changes/change_log.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <fstream>
 
-#include "app/scene/names/named.h"
+#include "app/json/json.h"
 #include "sim/base/errors.h"
 #include "sim/base/fnv_hash.h"
 
@@ -31,11 +31,17 @@ Json jsonOf(uint64_t step, const Change& change)
     Json json{{"step", step}};
     switch (change.kind) {
         case ChangeKind::Push:
-            json["push"] = change.name;
+        case ChangeKind::Stir:
+            json[change.kind == ChangeKind::Push ? "push" : "stir"] = change.name;
             json["impulse"] = listOf(change.impulse);
             json["at"] = listOf(change.at);
+            if (change.kind == ChangeKind::Stir) json["radius"] = change.radius;
             break;
         case ChangeKind::Release: json["release"] = change.name; break;
+        case ChangeKind::Set:
+            json["set"] = change.name;
+            json["value"] = change.value;
+            break;
         case ChangeKind::Reset: json["reset"] = true; break;
     }
     return json;
@@ -43,58 +49,65 @@ Json jsonOf(uint64_t step, const Change& change)
 
 Change changeOf(const Json& json)
 {
+    const auto word = [&](const char* key) { return json.at(key).get<std::string>(); };
     if (json.contains("reset")) return {.kind = ChangeKind::Reset};
-    if (json.contains("release")) return {.kind = ChangeKind::Release, .name = json.at("release").get<std::string>()};
-    return {.kind = ChangeKind::Push,
-            .name = json.at("push").get<std::string>(),
+    if (json.contains("release")) return {.kind = ChangeKind::Release, .name = word("release")};
+    if (json.contains("set"))
+        return {.kind = ChangeKind::Set, .name = word("set"), .value = json.at("value").get<std::vector<float>>()};
+    const bool stirs = json.contains("stir");
+    return {.kind = stirs ? ChangeKind::Stir : ChangeKind::Push,
+            .name = word(stirs ? "stir" : "push"),
             .impulse = vectorOf(json.at("impulse")),
-            .at = vectorOf(json.at("at"))};
+            .at = vectorOf(json.at("at")),
+            .radius = stirs ? json.at("radius").get<float>() : 0.0f};
 }
 
-/// One line of a log after the first. @returns whether it is the last.
-bool readLine(const Json& json, LoggedChanges& logged)
+void readHead(const Json& json, LoggedChanges& logged)
 {
+    if (json.value("format", "") != FORMAT)
+        throw InputError("is no log of changes; name a file that --log has written");
+    logged.scene = json.at("scene").get<std::string>();
+    logged.world = json.at("world").get<std::string>();
+}
+
+/// One line after the first.
+void readLine(const Json& json, LoggedChanges& logged)
+{
+    if (!logged.hash.empty()) throw InputError("comes after the end");
     const uint64_t step = json.at("step").get<uint64_t>();
-    if (!logged.changes.empty() && step < logged.changes.back().step)
-        throw InputError("its step is before that of the line above");
+    if (step < logged.steps) throw InputError("its step is before that of the line above");
+    logged.steps = step;
     if (json.contains("end")) {
-        logged.steps = step;
         logged.hash = json.at("end").get<std::string>();
-        return true;
+        return;
+    }
+    if (json.contains("restart")) {
+        logged = {logged.scene, json.at("world").get<std::string>(),
+                  json.at("restart").get<std::vector<std::string>>()};
+        return;
     }
     const Change change = changeOf(json);
     // The state is that of the start then, whatever came before.
-    if (change.kind == ChangeKind::Reset) logged.changes.clear();
+    if (change.kind == ChangeKind::Reset) logged = {logged.scene, logged.world, logged.sets};
     else logged.changes.push_back({step, change});
-    return false;
 }
 
 }  // namespace
 
-void applyChange(Solver& solver, const World& world, const Change& change)
-{
-    const std::vector<uint32_t> bodies = bodiesNamed(world, change.name);
-    solver.edit([&](StateEdit& edit) {
-        if (change.kind == ChangeKind::Release) {
-            if (!edit.letGo(withHanging(world, bodies)))
-                throw InputError(fmt::format("\"{}\" is held for ever; give it a `release` in the scene", change.name));
-            return;
-        }
-        if (bodies.size() > 1) throw InputError(fmt::format("\"{}\" has several bodies; name one", change.name));
-        if (!edit.responds(bodies[0]))
-            throw InputError(fmt::format("\"{}\" is held or follows a clip; release it first", change.name));
-        edit.push(bodies[0], change.impulse, change.at);
-    });
-}
-
 ChangeLog::ChangeLog(const std::string& path, const std::string& scene, uint64_t world) : file_(path)
 {
     file_.write(Json{{"format", FORMAT}, {"scene", scene}, {"world", hashText(world)}}.dump() + "\n");
+    file_.appear();
 }
 
 void ChangeLog::add(uint64_t step, const Change& change)
 {
     file_.write(jsonOf(step, change).dump() + "\n");
+}
+
+void ChangeLog::restart(uint64_t step, const std::vector<std::string>& sets, uint64_t world)
+{
+    file_.write(Json{{"step", step}, {"restart", sets}, {"world", hashText(world)}}.dump() + "\n");
 }
 
 void ChangeLog::finish(uint64_t step, uint64_t stateHash)
@@ -103,34 +116,28 @@ void ChangeLog::finish(uint64_t step, uint64_t stateHash)
     file_.commit();
 }
 
-LoggedChanges readChanges(const std::string& path, uint64_t world)
+LoggedChanges readChanges(const std::string& path)
 {
     std::ifstream file(path);
     if (!file) throw InputError(fmt::format("{}: cannot be read; name a file that --log has written", path));
     LoggedChanges logged;
     std::string line;
-    bool ended = false;
     for (int number = 1; std::getline(file, line); ++number) {
+        // What a killed program could not write to its end.
+        if (file.eof() && number > 1) break;
         const auto fail = [&](const std::string& why) {
             throw InputError(fmt::format("{}:{}: {}", path, number, why));
         };
         try {
             const Json json = parseJson(line, "line");
-            if (number == 1) {
-                if (json.value("format", "") != FORMAT)
-                    fail("is no log of changes; name a file that --log has written");
-                if (json.at("world").get<std::string>() != hashText(world))
-                    fail(fmt::format("is of another world, of the scene {}; give the same scene and --set",
-                                     json.at("scene").get<std::string>()));
-            } else ended = readLine(json, logged);
+            number == 1 ? readHead(json, logged) : readLine(json, logged);
         } catch (const Json::exception& error) {
             fail(fmt::format("cannot be read: {}", error.what()));
         } catch (const InputError& error) {
-            if (std::string(error.what()).starts_with(path + ":")) throw;
             fail(error.what());
         }
     }
-    if (!ended) throw InputError(fmt::format("{}: has no end; name a file that --log has written to its end", path));
+    if (logged.world.empty()) throw InputError(fmt::format("{}: is empty; name a file that --log has written", path));
     return logged;
 }
 
