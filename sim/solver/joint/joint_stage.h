@@ -24,6 +24,9 @@ namespace knuckle {
 ///         |  ^ jointInertias                              |  ^ passed force           |  v     the force that holds
 ///       body    <- bodyLoads                          body                        body
 ///
+/// Where all trees are short, and nothing limits, drives or closes loops, what they pass on stays in registers
+/// (SHORT_TREES, shaders/sim/joint/short_tree.glsl), without jointInertias and jointSweeps.
+///
 /// A joint that closes a loop is a force between two bodies of the tree: joint_loop_factor finds how far a unit of it
 /// moves them apart (loopFactors, 10), joint_loop_solve corrects the rest of its error. Limits (jointLimitStates, 4)
 /// are springs that only push, in the same blocks. joint_factor runs again when other limits hold than before, or
