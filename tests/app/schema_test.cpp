@@ -100,8 +100,8 @@ TEST(Schema, WordsAreThoseOfTheEnums)
 
 TEST(Schema, EveryFieldIsDescribedAndEveryObjectClosed)
 {
-    for (const char* file :
-         {"scene.schema.json", "actor.schema.json", "joints.schema.json", "limits.schema.json", "golden.schema.json"}) {
+    for (const char* file : {"scene.schema.json", "actor.schema.json", "joints.schema.json", "limits.schema.json",
+                             "golden.schema.json", "sweep.schema.json"}) {
         const Schema schema(file);
         forEachProperty(schema.root(), file, [&](const std::string& pointer, const Json& property) {
             const Json& node = schema.resolve(property);
