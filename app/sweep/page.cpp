@@ -39,6 +39,13 @@ std::string pictureMarkup(const std::string& path)
     return fmt::format("<a href=\"{0}\"><img src=\"{0}\" loading=\"lazy\" alt=\"\"></a>", link);
 }
 
+/// A number with as many digits as people read.
+std::string shortened(const std::string& cell)
+{
+    const Json value = Json::parse(cell, nullptr, false);
+    return value.is_number_float() ? fmt::format("{:.6g}", value.get<double>()) : cell;
+}
+
 std::string cardOf(const SweepRun& run, const SweepTable& table, size_t index)
 {
     const std::string folder = runName(run.number);
@@ -49,8 +56,8 @@ std::string cardOf(const SweepRun& run, const SweepTable& table, size_t index)
                    : fmt::format("<p>not done: <a href=\"{}/log\">log</a></p>", folder);
     text += "\n<dl>\n";
     for (size_t k = 1; k < table.columns.size(); ++k)
-        text += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escapedMarkup(table.columns[k]),
-                            escapedMarkup(table.rows[index][k]));
+        text += fmt::format("<div><dt>{}</dt><dd title=\"{}\">{}</dd></div>\n", escapedMarkup(table.columns[k]),
+                            escapedMarkup(table.rows[index][k]), escapedMarkup(shortened(table.rows[index][k])));
     return text + "</dl>\n</article>\n";
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "app/film/film_outputs.h"
 #include "app/film/frame_range.h"
@@ -11,7 +12,7 @@
 #include "app/sweep/sampling.h"
 #include "render/output/film_kinds.h"
 #include "render/output/frame_names.h"
-#include "sim/base/files/endings.h"
+#include "sim/base/errors.h"
 
 namespace knuckle {
 
@@ -83,13 +84,38 @@ SweepField readField(const JsonFile& file, const std::string& pointer, const Jso
     return field;
 }
 
+void checkFields(const JsonFile& file, const SweepPlan& plan)
+{
+    std::set<std::string> paths;
+    for (size_t k = 0; k < plan.fields.size(); ++k)
+        if (!paths.insert(plan.fields[k].path).second)
+            failAt(file.path, fmt::format("/fields/{}/path", k),
+                   fmt::format("{} is given twice; remove one", plan.fields[k].path));
+    if (plan.fields.empty() && plan.randomRuns.value_or(1) > 1)
+        failAt(file.path, "/runs",
+               fmt::format("all {} would be the same; give \"fields\" that differ", *plan.randomRuns));
+    if (combinationCount(plan) > MAX_RUNS)
+        failAt(file.path, "/fields",
+               fmt::format("have more than {} combinations; give \"runs\", so many at random", MAX_RUNS));
+}
+
 void checkFrames(const JsonFile& file, const SweepPlan& plan)
 {
-    for (size_t k = 0; k < plan.frames.size(); ++k) try {
-            FrameRange::parse(plan.frames[k]);
-        } catch (const std::exception& error) {
-            failAt(file.path, fmt::format("/frames/{}", k), error.what());
+    for (size_t k = 0; k < plan.frames.size(); ++k) {
+        const std::string pointer = fmt::format("/frames/{}", k);
+        FrameRange range;
+        try {
+            range = FrameRange::parse(plan.frames[k]);
+        } catch (const InputError& error) {
+            failAt(file.path, pointer, error.what());
         }
+        if (plan.isStill() && !range.onlyLast && (range.first == 0 || range.first != range.last))
+            failAt(file.path, pointer,
+                   fmt::format("{} is no single picture; name frames as frame_####.png", plan.output));
+    }
+    if (plan.isStill() && (plan.parts > 1 || plan.shots))
+        failAt(file.path, "/output",
+               fmt::format("{} is a single picture, and parts have more; name frames as frame_####.png", plan.output));
     if (plan.shots && (plan.parts > 1 || !plan.frames.empty()))
         failAt(file.path, "/shots", "are ranges of frames by themselves; leave out \"frames\" and \"parts\"");
     if (!plan.simulates()) return;
@@ -98,20 +124,40 @@ void checkFrames(const JsonFile& file, const SweepPlan& plan)
     if (plan.shots) failAt(file.path, "/shots", "needs \"states\": only what is recorded is drawn in parts");
 }
 
+bool isPicture(const JsonFile& file, const std::string& output)
+{
+    try {
+        return isFilm(output) || FrameNames::areGivenBy(output);
+    } catch (const InputError& error) {
+        failAt(file.path, "/output", error.what());
+    }
+}
+
 void checkOutput(const JsonFile& file, const SweepPlan& plan)
 {
     requirePlainName(file, "/output", plan.output);
-    if (!isFilm(plan.output) && !FrameNames::areGivenBy(plan.output))
+    if (!isPicture(file, plan.output))
         failAt(file.path, "/output",
                fmt::format("\"{}\" is none: a film ends in {}, frames are named as frame_####.png, a picture as "
                            "still.png",
                            plan.output, choiceOf(FILM_ENDINGS)));
-    for (const auto& [kind, name] : plan.exports) requirePlainName(file, "/exports/" + kind, name);
+    std::set<std::string> taken{"command", "done.json", "log", "stats.json", plan.output};
+    if (!plan.bodies.empty()) taken.insert("bodies.csv");
+    for (const auto& [kind, name] : plan.exports) {
+        requirePlainName(file, "/exports/" + kind, name);
+        if (!taken.insert(name).second)
+            failAt(file.path, "/exports/" + kind, fmt::format("\"{}\" is another file of each run; rename it", name));
+    }
     if (!plan.simulates() && !plan.bodies.empty())
         failAt(file.path, "/bodies", "are of runs that simulate; leave them out, or \"states\"");
 }
 
 }  // namespace
+
+bool SweepPlan::isStill() const
+{
+    return !isFilm(output) && FrameNames::of(output).digits == 0;
+}
 
 SweepPlan parsePlan(JsonFile file)
 {
@@ -139,11 +185,9 @@ SweepPlan parsePlan(JsonFile file)
     plan.bodies = root["bodies"].get<std::vector<std::string>>();
     plan.measures = root["measures"].get<std::vector<std::string>>();
     plan.checkpointSeconds = root["checkpoint"];
-    checkFrames(file, plan);
+    checkFields(file, plan);
     checkOutput(file, plan);
-    if (combinationCount(plan) > MAX_RUNS)
-        failAt(file.path, "/fields",
-               fmt::format("have more than {} combinations; give \"runs\", so many at random", MAX_RUNS));
+    checkFrames(file, plan);
     plan.document = std::move(file.root);
     return plan;
 }

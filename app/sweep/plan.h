@@ -38,6 +38,8 @@ struct SweepPlan {
     double checkpointSeconds = 30.0;
 
     bool simulates() const { return states.empty(); }
+    /// Whether each run draws one picture, whose name has no number.
+    bool isStill() const;
 };
 
 /// The most runs that a sweep may have.

@@ -20,9 +20,8 @@ std::vector<std::string> runCommand(const Sweep& sweep, const SweepRun& run, con
     for (const Override& change : plan.changes) add({"--set", change.path + "=" + change.value.dump()});
     for (size_t k = 0; k < plan.fields.size(); ++k) add({"--set", plan.fields[k].path + "=" + run.values[k].dump()});
     add({"-o", folder.file(plan.output)});
-    const bool isStill = !isFilm(plan.output) && plan.output.find('#') == std::string::npos;
     if (!run.frames.empty()) add({"--frames", run.frames});
-    else if (isStill) add({"--frames", "last"});
+    else if (plan.isStill()) add({"--frames", "last"});
     for (const auto& [kind, name] : plan.exports) add({"--export", kind + "=" + folder.file(name)});
     if (!plan.simulates()) {
         if (!isFilm(plan.output)) add({"--skip-existing"});

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/export/exporters.h"
 #include "app/files/assets.h"
 #include "app/film/frame_range.h"
 #include "app/scene/scene_document.h"
@@ -59,6 +60,7 @@ std::vector<std::string> shotRanges(const SweepPlan& plan, const StatesFile& sta
 std::vector<std::string> partsOf(const SweepPlan& plan)
 {
     if (plan.simulates()) return {plan.frames.empty() ? std::string() : plan.frames.front()};
+    if (plan.isStill() && plan.frames.empty()) return {"last"};
     const StatesFile states(plan.states);
     if (states.frames().empty()) throw InputError(plan.states + ": has no frames to draw");
     if (plan.shots) return shotRanges(plan, states);
@@ -143,6 +145,9 @@ void checkScene(const SweepPlan& plan, const std::vector<SweepRun>& runs)
             ofPlan(plan, pointer, [&] { return readSceneDocument(file, changes); });
         });
     }
+    std::vector<std::string> exports;
+    for (const auto& [kind, name] : plan.exports) exports.push_back(kind + "=" + name);
+    ofPlan(plan, "/exports", [&] { return makeExporters(exports); });
     std::vector<Override> first;
     for (size_t k = 0; k < plan.fields.size(); ++k) first.push_back({plan.fields[k].path, runs.front().values[k]});
     const Scene scene = ofPlan(plan, "/scene", [&] { return sceneOf(plan, states ? &*states : nullptr, first); });

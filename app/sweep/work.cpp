@@ -58,13 +58,17 @@ public:
 
     void run()
     {
-        while (true) {
-            if (interrupt_.isSignalled()) stop();
-            while (jobs_.size() < options_.jobs && startNext()) continue;
-            reap();
-            if (jobs_.empty() && isOver()) break;
-            std::this_thread::sleep_for(POLL);
-            renewClaims();
+        try {
+            while (!jobs_.empty() || !isOver()) {
+                interrupt_.check();
+                while (jobs_.size() < options_.jobs && startNext()) continue;
+                reap();
+                renewClaims();
+                std::this_thread::sleep_for(POLL);
+            }
+        } catch (...) {
+            stop();
+            throw;
         }
         if (failed_ > 0)
             throw RunError(fmt::format("{} of {} failed; `knuckle sweep status {}` says why, and the same command with "
@@ -141,29 +145,39 @@ private:
 
     void end(const Job& job, int status)
     {
-        const RunFolder folder = sweep_.folderOf(*job.run);
-        const std::string failure = failureOf(status);
         if (!job.claim.renew()) return;  // another has it now
-        if (failure.empty()) {
+        look_ = {};
+        const std::string failure = failureOf(status);
+        if (!failure.empty()) return endUndone(job, failure, WIFEXITED(status) ? WEXITSTATUS(status) : -1);
+        try {
             const double seconds = std::chrono::duration<double>(Clock::now() - job.start).count();
             finishRun(sweep_, *job.run, watch_.self.host, seconds);
-            look_ = {};
-            open_.erase(job.run);
-            progress_.update(++done_);
-            return;
+        } catch (const InputError& error) {
+            return endFailed(job, error.what());
         }
-        const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        open_.erase(job.run);
+        progress_.update(++done_);
+    }
+
+    void endUndone(const Job& job, const std::string& failure, int code)
+    {
+        const RunFolder folder = sweep_.folderOf(*job.run);
         if (code == EXIT_INTERRUPTED) std::this_thread::sleep_for(SIGNALS_APART);
-        const bool stopped = code == EXIT_INTERRUPTED && interrupt_.isSignalled();
+        const bool stopped = code == EXIT_INTERRUPTED && (isStopping_ || interrupt_.isSignalled());
         const std::string said = folder.lastLogLine(), line = said.empty() ? failure : failure + ": " + said;
-        if (!stopped && code == EXIT_RUN) requireRoom(sweep_.folder);
-        folder.end(job.claim.number(), {.failed = !stopped && code != EXIT_DEVICE, .line = line});
+        if (stopped || code == EXIT_DEVICE) folder.end(job.claim.number(), {.failed = false, .line = line});
+        if (stopped) return;
         if (code == EXIT_DEVICE)
             throw DeviceError(fmt::format("run {}: {}; other machines may go on", job.run->number, said));
-        if (!stopped)
-            tellUser(fmt::format("knuckle: run {} {} (try {} of {})", job.run->number, line, job.failures + 1,
-                                 watch_.tries));
-        look_ = {};
+        if (code == EXIT_RUN) requireRoom(sweep_.folder);
+        endFailed(job, line);
+    }
+
+    void endFailed(const Job& job, const std::string& line)
+    {
+        sweep_.folderOf(*job.run).end(job.claim.number(), {.failed = true, .line = line});
+        tellUser(
+            fmt::format("knuckle: run {} {} (try {} of {})", job.run->number, line, job.failures + 1, watch_.tries));
     }
 
     /// Whether nothing is left to do or, for who does not wait, all of it is seen in hands of others.
@@ -184,15 +198,20 @@ private:
             if (!job.claim.renew()) stopChild(job.child);
     }
 
-    [[noreturn]] void stop()
+    /// Lets all children write their checkpoints and end.
+    void stop()
     {
         std::this_thread::sleep_for(SIGNALS_APART);
         for (const Job& job : jobs_) stopChild(job.child);
+        isStopping_ = true;
         while (!jobs_.empty()) {
-            reap();
+            try {
+                reap();
+            } catch (const std::exception&) {
+                // What stops this process is told already; claims without an end are taken over without it.
+            }
             std::this_thread::sleep_for(POLL);
         }
-        throw Interrupted{};
     }
 
     /// In the order of their numbers.
@@ -212,6 +231,7 @@ private:
     std::set<uint64_t> alive_;          ///< Runs whose claims others have renewed since.
     Clock::time_point look_ = {}, renewed_ = Clock::now();
     size_t done_ = 0, failed_ = 0;
+    bool isStopping_ = false;
 };
 
 /// So many threads for each run's driver as there are cores for it.

@@ -7,7 +7,7 @@ const cards = [...runs.children];
 
 function valueOf(card, column) {
   if (column === 0) return String(cards.indexOf(card) + 1);
-  return card.querySelectorAll('dd')[column - 1].textContent;
+  return card.querySelectorAll('dd')[column - 1].title;
 }
 
 function compare(a, b) {
