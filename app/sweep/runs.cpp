@@ -20,15 +20,19 @@ namespace knuckle {
 
 namespace {
 
-/// The scene with what all runs change.
-Scene sceneOf(const SweepPlan& plan, const StatesFile* states, const std::vector<Override>& more = {})
+/// Where the scene is read, and what all runs change in it.
+struct SceneOrigin {
+    std::string file;
+    std::vector<Override> changes;
+};
+
+SceneOrigin originOf(const SweepPlan& plan, const StatesFile* states)
 {
-    std::vector<Override> changes = plan.changes;
-    changes.insert(changes.end(), more.begin(), more.end());
-    if (!plan.scene.empty()) return loadScene(findAsset(plan.scene), changes);
+    if (!plan.scene.empty()) return {findAsset(plan.scene), plan.changes};
     const SceneSource& source = states->facts().source;
-    changes.insert(changes.begin(), source.changes.begin(), source.changes.end());
-    return loadScene(findAsset(source.file), changes);
+    SceneOrigin origin{findAsset(source.file), source.changes};
+    origin.changes.insert(origin.changes.end(), plan.changes.begin(), plan.changes.end());
+    return origin;
 }
 
 std::string rangeText(uint64_t first, uint64_t last)
@@ -40,7 +44,8 @@ std::string rangeText(uint64_t first, uint64_t last)
 std::vector<std::string> shotRanges(const SweepPlan& plan, const StatesFile& states)
 {
     constexpr double ROUNDING = 1e-6;  // as of shotAt() [s]
-    const Scene scene = sceneOf(plan, &states);
+    const SceneOrigin origin = originOf(plan, &states);
+    const Scene scene = loadScene(origin.file, origin.changes);
     std::vector<uint64_t> starts;
     for (const Shot& shot : scene.render.shots)
         starts.push_back(
@@ -80,18 +85,25 @@ std::vector<std::string> partsOf(const SweepPlan& plan)
     return parts;
 }
 
+/// Of the first run.
+std::vector<Override> firstChanges(const SweepPlan& plan, const SweepRun& first, const SceneOrigin& origin)
+{
+    std::vector<Override> changes = origin.changes;
+    for (size_t k = 0; k < plan.fields.size(); ++k) changes.push_back({plan.fields[k].path, first.values[k]});
+    return changes;
+}
+
 /// Calls check(changes, pointer) with each value of each field beside the others' of the first run.
 template <typename Check>
-void forEachValue(const SweepPlan& plan, const SweepRun& first, const Check& check)
+void forEachValue(const SweepPlan& plan, const std::vector<Override>& first, const Check& check)
 {
+    const size_t before = first.size() - plan.fields.size();
     for (size_t k = 0; k < plan.fields.size(); ++k) {
         const SweepField& field = plan.fields[k];
-        std::vector<Override> changes = plan.changes;
-        for (size_t other = 0; other < plan.fields.size(); ++other)
-            changes.push_back({plan.fields[other].path, first.values[other]});
+        std::vector<Override> changes = first;
         const std::vector<Json> values = field.values.empty() ? std::vector{field.low, field.high} : field.values;
         for (const Json& value : values) {
-            changes[plan.changes.size() + k].value = value;
+            changes[before + k].value = value;
             check(changes, fmt::format("/fields/{}", k));
         }
     }
@@ -138,19 +150,17 @@ void checkScene(const SweepPlan& plan, const std::vector<SweepRun>& runs)
 {
     std::optional<StatesFile> states;
     if (!plan.simulates()) states.emplace(plan.states);
-    if (!plan.scene.empty()) {
-        const std::string file = findAsset(plan.scene);
-        ofPlan(plan, plan.changes.empty() ? "/scene" : "/set", [&] { return readSceneDocument(file, plan.changes); });
-        forEachValue(plan, runs.front(), [&](const std::vector<Override>& changes, const std::string& pointer) {
-            ofPlan(plan, pointer, [&] { return readSceneDocument(file, changes); });
-        });
-    }
+    const SceneOrigin origin = originOf(plan, states ? &*states : nullptr);
+    const std::vector<Override> first = firstChanges(plan, runs.front(), origin);
+    ofPlan(plan, plan.changes.empty() ? "/scene" : "/set",
+           [&] { return readSceneDocument(origin.file, origin.changes); });
+    forEachValue(plan, first, [&](const std::vector<Override>& changes, const std::string& pointer) {
+        ofPlan(plan, pointer, [&] { return readSceneDocument(origin.file, changes); });
+    });
     std::vector<std::string> exports;
     for (const auto& [kind, name] : plan.exports) exports.push_back(kind + "=" + name);
     ofPlan(plan, "/exports", [&] { return makeExporters(exports); });
-    std::vector<Override> first;
-    for (size_t k = 0; k < plan.fields.size(); ++k) first.push_back({plan.fields[k].path, runs.front().values[k]});
-    const Scene scene = ofPlan(plan, "/scene", [&] { return sceneOf(plan, states ? &*states : nullptr, first); });
+    const Scene scene = ofPlan(plan, "/scene", [&] { return loadScene(origin.file, first); });
     if (!plan.bodies.empty()) checkBodies(plan, scene.world);
     if (plan.simulates() && !plan.frames.empty())
         ofPlan(plan, "/frames/0", [&] { return FrameRange::parse(plan.frames[0]).of(scene, 1); });

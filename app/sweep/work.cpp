@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -46,6 +49,13 @@ struct Job {
     std::unique_ptr<Leftover> leftover = {};  ///< Of the child, should this process be ended at once.
     Clock::time_point start = Clock::now();
 };
+
+/// Whether a run's last words are that there is no room: nothing that it or another run tries would help.
+bool isOfNoRoom(const std::string& said)
+{
+    return std::ranges::any_of(std::array{ENOSPC, EDQUOT},
+                               [&](int error) { return said.find(std::strerror(error)) != std::string::npos; });
+}
 
 class Work {
 public:
@@ -169,7 +179,11 @@ private:
         if (stopped) return;
         if (code == EXIT_DEVICE)
             throw DeviceError(fmt::format("run {}: {}; other machines may go on", job.run->number, said));
-        if (code == EXIT_RUN) requireRoom(sweep_.folder);
+        requireRoom(sweep_.folder);
+        if (isOfNoRoom(said)) {
+            folder.end(job.claim.number(), {.failed = false, .line = line});
+            throw RunError(fmt::format("run {}: {}; make room, then the same command goes on", job.run->number, said));
+        }
         endFailed(job, line);
     }
 
