@@ -114,6 +114,21 @@ TEST_F(SweepCommand, StoppedHasItsCheckpointAndGoesOn)
     EXPECT_TRUE(fs::exists(folder.path("out/run_0001/f_####.png.checkpoint/current.states")));
 }
 
+TEST_F(SweepCommand, SignalledTogetherWithItsRunsHasTheirCheckpoints)
+{
+    // As Slurm does: the worker passes on what its run has got already, which must not end it at once. A frame of this
+    // size takes longer than the worker waits with that.
+    writePlan(R"("set": {"duration": 20, "render.width": 3840, "render.height": 2160}, "checkpoint": 1000,
+                 "output": "f_####.png", )" +
+              std::string(FIELDS));
+    const std::string script = "cd " + folder.path() + "; " + test::programPath() +
+                               " --device software sweep plan.json -o out >said 2>&1 & worker=$!; while [ ! -e " +
+                               folder.path("out/run_0001/f_0002.png") +
+                               " ]; do sleep 0.01; done; kill -TERM $worker $(pgrep -P $worker); wait $worker";
+    EXPECT_EQ(WEXITSTATUS(std::system(script.c_str())), 130) << readText(folder.path("said"));
+    EXPECT_TRUE(fs::exists(folder.path("out/run_0001/f_####.png.checkpoint/current.states")));
+}
+
 TEST_F(SweepCommand, WorkersAtOnceShareTheRuns)
 {
     writePlan();
@@ -250,6 +265,7 @@ TEST_F(SweepCommand, RecordedStatesAreDrawnInParts)
     folder.write("plan.json", R"({"states": "r.states", "parts": 2, "output": "frame_####.png"})");
     ASSERT_EQ(sweep({"plan.json", "-o", "out"}).code, 0);
     EXPECT_TRUE(table("out").starts_with("run,frames,hash\n1,1:2,"));
+    EXPECT_EQ(countFiles("out", "frame_"), 4) << "each frame once";
     for (const auto& [part, frame] : {std::pair{"run_0001", "frame_0001.png"}, {"run_0002", "frame_0004.png"}})
         EXPECT_EQ(readText(folder.path(std::string("out/") + part + "/" + frame)),
                   readText(folder.path(std::string("here/") + frame)));
