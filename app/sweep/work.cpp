@@ -40,6 +40,9 @@ constexpr std::chrono::milliseconds POLL = 20ms, LOOK = 500ms;
 /// A signal for this process may be meant for its children as well, and reach them at another moment.
 constexpr std::chrono::milliseconds SIGNALS_APART = 200ms;
 
+/// Before what the program tells.
+constexpr const char* OUR_NAME = "knuckle: ";
+
 /// A run that this process has claimed.
 struct Job {
     const SweepRun* run;
@@ -174,7 +177,9 @@ private:
         const RunFolder folder = sweep_.folderOf(*job.run);
         if (code == EXIT_INTERRUPTED) std::this_thread::sleep_for(SIGNALS_APART);
         const bool stopped = code == EXIT_INTERRUPTED && (isStopping_ || interrupt_.isSignalled());
-        const std::string said = folder.lastLogLine(), line = said.empty() ? failure : failure + ": " + said;
+        std::string said = folder.lastLogLine();
+        if (said.starts_with(OUR_NAME)) said.erase(0, std::string_view(OUR_NAME).size());
+        const std::string line = said.empty() ? failure : failure + ": " + said;
         if (stopped || code == EXIT_DEVICE) folder.end(job.claim.number(), {.failed = false, .line = line});
         if (stopped) return;
         if (code == EXIT_DEVICE)

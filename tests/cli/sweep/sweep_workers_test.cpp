@@ -115,20 +115,45 @@ TEST_F(SweepCommand, ClaimsAreRenewedWhileTheirRunsGoOn)
     EXPECT_GT(renewed - claimed, std::chrono::seconds(1)) << "the run takes longer than who is silent may be";
 }
 
+TEST_F(SweepCommand, LeavesWhatOthersWorkOn)
+{
+    writePlan(R"("set": {"duration": 20}, "fields": [{"path": "fps", "values": [120]}])");
+    std::thread first([&] { EXPECT_EQ(sweep({"plan.json", "-o", "out", "--stale", "1"}).code, 0); });
+    while (!fs::exists(folder.path("out/run_0001/claim.1"))) std::this_thread::yield();
+    EXPECT_EQ(sweep({"plan.json", "-o", "out", "--leave"}).code, 0);
+    EXPECT_FALSE(fs::exists(folder.path("out/run_0001/done.json"))) << "it has waited";
+    first.join();
+    EXPECT_EQ(countFiles("out", "claim."), 1);
+}
+
+TEST_F(SweepCommand, WithoutADeviceLeavesTheRunsToOthers)
+{
+    writePlan();
+    const RunResult result = sweep({"plan.json", "-o", "out"},
+                                   {.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=/none.json"}});
+    if (result.code == 0) GTEST_SKIP() << "this driver ignores the variable";
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(test::isOneLine(result.err)) << result.err;
+    EXPECT_TRUE(result.err.ends_with("; other machines may go on\n")) << result.err;
+    EXPECT_EQ(run({"sweep", "status", "plan.json", "-o", "out"}).out, "plan: 4 runs in out\n  waiting        4\n");
+}
+
 TEST_F(SweepCommand, FailedRunIsTriedAgainAndTold)
 {
     writePlan(R"("fields": [{"path": "objects.0.position.1", "values": [0.3, 0.4]}])");
     fs::create_directories(folder.path("out/run_0002/bodies.csv"));  // no file can be put there
     const RunResult result = sweep({"plan.json", "-o", "out", "--tries", "2"});
     EXPECT_EQ(result.code, 1);
-    EXPECT_NE(result.err.find("knuckle: run 2 failed with exit code 2: knuckle: "), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("knuckle: run 2 failed with exit code 2: out/run_0002/bodies.csv"), std::string::npos)
+        << result.err;
     EXPECT_NE(result.err.find("(try 1 of 2)"), std::string::npos);
     EXPECT_TRUE(result.err.ends_with("knuckle: 1 of 2 runs failed; `knuckle sweep status plan.json` says why, and the "
                                      "same command with more --tries tries them again\n"))
         << result.err;
     const RunResult status = run({"sweep", "status", "plan.json", "-o", "out", "--tries", "2"});
-    EXPECT_NE(status.out.find("failed         1\nrun 2: failed 2 times: failed with exit code 2: knuckle: "),
-              std::string::npos)
+    EXPECT_NE(
+        status.out.find("failed         1\nrun 2: failed 2 times: failed with exit code 2: out/run_0002/bodies.csv"),
+        std::string::npos)
         << status.out;
     const RunResult collected = sweep({"collect", "plan.json", "-o", "out", "--tries", "2"});
     expectError(collected, 1,
