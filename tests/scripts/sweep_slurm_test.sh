@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A sweep on Slurm: two nodes on this machine, of which one is killed in the middle. The table is that of a sweep
-# without Slurm, bit by bit. Everything lies in a temporary folder, with a munged and ports of its own; skipped where
-# slurm-wlm and munge are not installed.
+# A sweep on Slurm with two nodes on this machine: a task of one is preempted, the other node is killed in the middle.
+# The table is that of a sweep without Slurm, bit by bit. Everything lies in a temporary folder, with a munged and ports
+# of its own; skipped where slurm-wlm and munge are not installed.
 # tests/scripts/sweep_slurm_test.sh KNUCKLE [RUNS]
 set -euo pipefail
 program=$(realpath "$1") runs=${2:-30}
@@ -119,12 +119,19 @@ some_done() { (($(done_runs) >= runs / 3)); }
 all_done() { (($(done_runs) == runs)); }
 
 sweep "$folder/plan.json" -o "$folder/farm" --slurm='--time=10' --jobs 4
+# A task that Slurm preempts: all of its processes get SIGTERM.
+one_done() { (($(done_runs) >= 1)); }
+one_stopped() { grep -qs '^knuckle: stopped' "$folder"/farm/slurm_*.log; }
+wait_until 60 one_done
+scontrol requeue "$(squeue -h -t running -w n1 -o %F_%K)"
+wait_until 60 one_stopped
 wait_until 120 some_done
 doomed=$(task_processes n2)
 [[ -n $doomed ]] || fail "no task on the second node"
 kill -9 "$second" $doomed
 echo "node n2 killed with $(wc -w <<<"$doomed") processes of its task, after $(done_runs) of $runs runs"
 wait_until 300 all_done
+! grep -ls '"failed":true' "$folder"/farm/run_*/end.* || fail "who was stopped counts as failed"
 sweep collect "$folder/plan.json" -o "$folder/farm"
 claims=$(ls "$folder"/farm/run_*/claim.* | wc -l)
 ((claims > runs)) || fail "the killed node had no run that another took over"
