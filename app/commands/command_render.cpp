@@ -98,7 +98,8 @@ void nameOutputs(FilmOptions& film, const RenderOptions& options, const Scene& s
     add("--size", fmt::format("{}x{}", scene.render.width, scene.render.height));
     if (film.frames.stride > 1) add("--stride", std::to_string(film.frames.stride));
     if (film.quality != DEFAULT_QUALITY) add("--quality", std::to_string(film.quality));
-    add("--frames", std::to_string(std::max<uint64_t>(film.frames.first, 1)) + ":");
+    const std::string first = std::to_string(std::max<uint64_t>(film.frames.first, 1));
+    add("--frames", film.frames.onlyLast ? "last" : first + ":");
 }
 
 /// Where a scene without an output of its own goes.
@@ -228,7 +229,8 @@ void addRenderCommand(CommandLine line)
                      "of 8 bits) [by the name's ending, else mp4]")
         ->type_name("KIND")
         ->check(offered(PIPE_WORDS));
-    command->add_option("--frames", options->frames, "First and last frame to draw [all]")->type_name("A:B");
+    command->add_option("--frames", options->frames, "First and last frame to draw, or last [all]")
+        ->type_name("A:B|last");
     command
         ->add_option("--stride", options->stride,
                      "Draw every Nth of these frames; a film of them has N times fewer a second [1]")

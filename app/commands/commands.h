@@ -30,6 +30,7 @@ void addGoldenCommand(CommandLine line);
 void addInfoCommand(CommandLine line);
 void addDoctorCommand(CommandLine line);
 void addServeCommand(CommandLine line);
+void addSweepCommand(CommandLine line);
 void addSchemaCommand(CommandLine line);
 void addCompletionCommand(CommandLine line);
 void addManualCommand(CommandLine line);

@@ -29,6 +29,7 @@ constexpr const char* EXAMPLES =
     "  knuckle voxelize model.glb -o actor.json --diameter 0.04\n"
     "  knuckle check assets/scenes/*.json\n"
     "  knuckle serve assets/scenes/pile.json                   live, in a browser: http://127.0.0.1:8080\n"
+    "  knuckle sweep plan.json --jobs 4                        a scene many times, with other values\n"
     "  knuckle doctor                                          what this machine lacks\n"
     "\n"
     "Exit codes:\n"
@@ -72,8 +73,8 @@ int parseAndRun(int argc, char** argv)
     addCommonOptions(program, common);
     const CommandLine line{program, common, chosen};
     for (const auto add : {addRenderCommand, addVoxelizeCommand, addCheckCommand, addCompareCommand, addGoldenCommand,
-                           addBenchCommand, addInfoCommand, addDoctorCommand, addServeCommand, addSchemaCommand,
-                           addCompletionCommand, addManualCommand}) {
+                           addBenchCommand, addInfoCommand, addDoctorCommand, addServeCommand, addSweepCommand,
+                           addSchemaCommand, addCompletionCommand, addManualCommand}) {
         add(line);
     }
     try {

@@ -2,20 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "app/export/csv.h"
+
 namespace knuckle {
-
-namespace {
-
-/// A CSV field, quoted if necessary.
-std::string field(const std::string& text)
-{
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-    return out + '"';
-}
-
-}  // namespace
 
 void BodyExport::begin(const Scene& /*scene*/)
 {
@@ -30,7 +19,7 @@ void BodyExport::frame(const ExportFrame& frame)
         const BodyState& state = (*frame.bodies)[i];
         const Body& body = frame.world.bodies[i];
         const std::string object = body.object == NO_INDEX ? "" : frame.world.objects[body.object].name;
-        text += fmt::format("{},{},{},{}", frame.number, i, field(object), field(body.name));
+        text += fmt::format("{},{},{},{}", frame.number, i, csvCell(object), csvCell(body.name));
         for (const float value : state.position) text += fmt::format(",{}", value);
         for (const float value : state.rotation.coeffs()) text += fmt::format(",{}", value);
         for (const float value : state.velocity) text += fmt::format(",{}", value);

@@ -8,11 +8,12 @@ namespace knuckle {
 
 FrameRange FrameRange::parse(const std::string& text)
 {
+    if (text == "last") return {.onlyLast = true};
     const auto number = [&](const std::string& part, uint64_t missing) {
         if (part.empty()) return missing;
         const bool digits = part.size() <= 9 && part.find_first_not_of("0123456789") == std::string::npos;
         if (!digits || std::stoull(part) == 0) {
-            throw InputError(fmt::format("--frames {}: must be A:B, frames from 1, for instance 1:60", text));
+            throw InputError(fmt::format("--frames {}: must be A:B, frames from 1, for instance 1:60, or last", text));
         }
         return static_cast<uint64_t>(std::stoull(part));
     };
@@ -28,6 +29,7 @@ FrameRange FrameRange::parse(const std::string& text)
 FrameRange FrameRange::of(const Scene& scene, uint64_t begin) const
 {
     const uint64_t count = scene.frameCount();
+    if (onlyLast) return {count, count, stride};
     const FrameRange range{first == 0 ? begin : first, last == 0 ? count : last, stride};
     if (begin <= range.first && range.first <= range.last && range.last <= count) return range;
     throw InputError(fmt::format("--frames {}:{}: the scene has frames {} to {}; choose among them or raise /duration",

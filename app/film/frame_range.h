@@ -11,6 +11,7 @@ namespace knuckle {
 struct FrameRange {
     uint64_t first = 0, last = 0;  ///< 0: the scene's first or last.
     uint64_t stride = 1;           ///< From one frame to the next.
+    bool onlyLast = false;         ///< Of all, whichever it is.
 
     /// Whether the frame is drawn.
     bool has(uint64_t frame) const { return first <= frame && frame <= last && (frame - first) % stride == 0; }
@@ -21,7 +22,7 @@ struct FrameRange {
     /// The last that is drawn.
     uint64_t lastDrawn() const { return last - (last - first) % stride; }
 
-    /// Reads "A:B", "A:", ":B" or "A". @throws InputError.
+    /// Reads "A:B", "A:", ":B", "A" or "last". @throws InputError.
     static FrameRange parse(const std::string& text);
     /// With both known. @param begin the scene's first frame. @throws InputError for frames that the scene does not
     /// have.

@@ -50,6 +50,7 @@ void requireSameWorld(const StatesFile& states, const Scene& scene)
 /// The file's frames among those wanted.
 std::vector<uint64_t> chosenFrames(const StatesFile& states, const FrameRange& range)
 {
+    if (range.onlyLast && !states.frames().empty()) return {states.frames().back()};
     std::vector<uint64_t> chosen;
     for (const uint64_t frame : states.frames())
         if (frame >= range.first && (range.last == 0 || frame <= range.last)) chosen.push_back(frame);

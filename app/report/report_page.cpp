@@ -6,10 +6,10 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <stdexcept>
 #include <string_view>
 
 #include "app/report/markup.h"
+#include "app/report/page_places.h"
 #include "app/report/report_rows.h"
 #include "render/compare/difference_pictures.h"
 
@@ -44,21 +44,6 @@ std::string leftOutWords(const std::vector<ReportEntry>& entries)
                        images, std::ceil(static_cast<double>(bytes) / static_cast<double>(pictureBytesOf(1.0))));
 }
 
-/// Writes the page, with what stands for each {{word}} in its place. What is put in is not looked at again.
-void fill(OutputFile& file, std::string_view page, const std::map<std::string_view, std::function<void()>>& values)
-{
-    for (size_t open = page.find("{{"); open != std::string_view::npos; open = page.find("{{")) {
-        const size_t close = page.find("}}", open);
-        file.write(page.substr(0, open));
-        const auto value = values.find(page.substr(open + 2, close - open - 2));
-        if (close == std::string_view::npos || value == values.end())
-            throw std::logic_error("the page of reports has an unknown place");
-        value->second();
-        page.remove_prefix(close + 2);
-    }
-    file.write(page);
-}
-
 }  // namespace
 
 size_t pictureBytesOf(double megabytes)
@@ -74,17 +59,18 @@ void writeReport(OutputFile& file, const ReportHead& head, const std::vector<Rep
     const auto rows = [&] {
         for (size_t i = 0; i < entries.size(); ++i) writeRow(file, entries[i], i + 1);
     };
-    fill(file, embeddedReport().at("report.html"),
-         {{"title", text(escapedMarkup(head.title))},
-          {"style", text(part("report.css"))},
-          {"script", text(part("images.js") + part("stage.js") + part("viewer.js"))},
-          {"verdict", text(failed ? "failed" : "passed")},
-          {"summary", text(escapedMarkup(summaryOf(entries)))},
-          {"notes", text(noteList(head.notes, "notes"))},
-          {"left out", text(leftOutWords(entries))},
-          {"heat", text(heatGradient())},
-          {"gain", text(fmt::format("{:g}", DIFFERENCE_GAIN))},
-          {"rows", rows}});
+    fillPage(embeddedReport().at("report.html"),
+             {{"title", text(escapedMarkup(head.title))},
+              {"style", text(part("report.css"))},
+              {"script", text(part("images.js") + part("stage.js") + part("viewer.js"))},
+              {"verdict", text(failed ? "failed" : "passed")},
+              {"summary", text(escapedMarkup(summaryOf(entries)))},
+              {"notes", text(noteList(head.notes, "notes"))},
+              {"left out", text(leftOutWords(entries))},
+              {"heat", text(heatGradient())},
+              {"gain", text(fmt::format("{:g}", DIFFERENCE_GAIN))},
+              {"rows", rows}},
+             [&file](std::string_view words) { file.write(words); });
 }
 
 void writeReport(const std::string& path, const ReportHead& head, const std::vector<ReportEntry>& entries)

@@ -26,9 +26,10 @@ void endAtOnce()
     _exit(EXIT_CODE);
 }
 
-void onSignal(int signal)
+/// A program that started this one may repeat what reached it and this one together: it queues its signal.
+void onSignal(int signal, siginfo_t* facts, void*)
 {
-    if (signal == SIGALRM || !graceful || signalled.exchange(true)) endAtOnce();
+    if (signal == SIGALRM || !graceful || (signalled.exchange(true) && facts->si_code != SI_QUEUE)) endAtOnce();
     alarm(InterruptGuard::GRACE_SECONDS);
 }
 
@@ -37,8 +38,8 @@ void onSignal(int signal)
 void endOnSignals()
 {
     struct sigaction action = {};
-    action.sa_handler = onSignal;
-    action.sa_flags = SA_RESTART;
+    action.sa_sigaction = onSignal;
+    action.sa_flags = SA_RESTART | SA_SIGINFO;
     for (const int signal : {SIGINT, SIGTERM, SIGALRM}) sigaction(signal, &action, nullptr);
     // nohup makes the program ignore it.
     struct sigaction before = {};

@@ -73,6 +73,8 @@ std::string contentOf(int file)
     return text;
 }
 
+}  // namespace
+
 std::string lastLineOf(const std::string& text)
 {
     const size_t end = text.find_last_not_of(" \t\r\n");
@@ -88,8 +90,6 @@ std::string failureOf(int status)
     if (WEXITSTATUS(status) == 0) return {};
     return fmt::format("failed with exit code {}", WEXITSTATUS(status));
 }
-
-}  // namespace
 
 std::string quotedForShell(const std::string& word)
 {

@@ -12,6 +12,12 @@ struct ShellResult {
     std::string lastLine = {};  ///< Of that.
 };
 
+/// The last line of what a program wrote, shortened; empty if it has none.
+std::string lastLineOf(const std::string& text);
+
+/// How a program ended, by waitpid()'s status: "failed with exit code 3", "was ended by signal 9"; empty: it succeeded.
+std::string failureOf(int status);
+
 /// A word as the shell reads it back.
 std::string quotedForShell(const std::string& word);
 

@@ -68,6 +68,7 @@ private:
     std::string valueText(const Json& property) const
     {
         const Json& node = schema_.resolve(property);
+        if (node.empty()) return "any value";
         if (node.contains("const")) return fmt::format("`{}`", node["const"].dump());
         if (node.contains("oneOf")) {
             std::vector<std::string> words;

@@ -100,8 +100,8 @@ TEST(Schema, WordsAreThoseOfTheEnums)
 
 TEST(Schema, EveryFieldIsDescribedAndEveryObjectClosed)
 {
-    for (const char* file :
-         {"scene.schema.json", "actor.schema.json", "joints.schema.json", "limits.schema.json", "golden.schema.json"}) {
+    for (const char* file : {"scene.schema.json", "actor.schema.json", "joints.schema.json", "limits.schema.json",
+                             "golden.schema.json", "sweep.schema.json"}) {
         const Schema schema(file);
         forEachProperty(schema.root(), file, [&](const std::string& pointer, const Json& property) {
             const Json& node = schema.resolve(property);
@@ -133,11 +133,13 @@ TEST(Schema, DefaultsKeepTheirOwnRules)
     EXPECT_EQ(file.root["objects"][0]["repeat"]["counts"], Json({1, 1, 1}));
 }
 
-TEST(Schema, SceneReferenceIsCurrent)
+TEST(Schema, ReferencesAreCurrent)
 {
-    // EXPECT_EQ would print the whole page on failure.
-    EXPECT_TRUE(test::readText(test::inSource("docs/scene.md")) == schemaMarkdown(Schema("scene.schema.json")))
-        << "renew it: knuckle schema --markdown > docs/scene.md";
+    for (const auto& [page, schema] : {std::pair{"docs/scene.md", "scene"}, {"docs/sweep-plan.md", "sweep"}})
+        // EXPECT_EQ would print the whole page on failure.
+        EXPECT_TRUE(test::readText(test::inSource(page)) ==
+                    schemaMarkdown(Schema(std::string(schema) + ".schema.json")))
+            << "renew it: knuckle schema " << schema << " --markdown > " << page;
 }
 
 TEST(Schema, EveryReferenceLeadsToADefinition)

@@ -55,6 +55,8 @@ expect 'beside replace' knuckle golden update --other-driver ''
 expect --output knuckle --device software render a.json --ou
 expect 'render' knuckle man ren
 expect 'fish' knuckle completion f
+expect 'status' knuckle sweep st
+expect '--slurm' knuckle sweep --sl
 # A value is no command, and what may be anything is a file.
 expect voxelize knuckle --shaders render vox
 expect '' knuckle render ''

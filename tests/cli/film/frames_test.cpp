@@ -40,6 +40,18 @@ TEST_F(Frames, HaveTheNamesOfTheirPattern)
     EXPECT_EQ(text("still.png"), text("all/frame_0009.png"));
 }
 
+TEST_F(Frames, LastIsTheLastWhicheverItIs)
+{
+    ASSERT_EQ(render({"-o", "all", "--record", "states=r.states", "--record-every", "4"}).code, 0);
+    ASSERT_EQ(render({"-o", "one", "--frames", "last", "--checkpoint", "0", "--resume"}).code, 0);
+    EXPECT_EQ(named("one"), std::vector<std::string>{"frame_0010.png"});
+    EXPECT_EQ(text("one/frame_0010.png"), text("all/frame_0010.png"));
+    ASSERT_EQ(run({"render", "--from", "r.states", "-o", "still.png", "--frames", "last"}).code, 0);
+    EXPECT_EQ(text("still.png"), text("all/frame_0010.png"));
+    expectError(run({"render", scene, "--frames", "lats"}), 2,
+                "--frames lats: must be A:B, frames from 1, for instance 1:60, or last");
+}
+
 TEST_F(Frames, AsJpegLookAsThoseOfPng)
 {
     ASSERT_EQ(render({"-o", "f", "-o", "f/a_####.jpeg", "--frames", "4"}).code, 0);
