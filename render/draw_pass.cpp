@@ -26,19 +26,12 @@ std::vector<std::string> withFrame(std::vector<std::string> reads)
     return reads;
 }
 
-/// How fragments read the frame (render/common/flat/flat_frame.glsl).
-Defines withFlatFrame(const Gpu& gpu, Defines defines)
-{
-    if (gpu.device().software) defines.push_back({"FLAT_FRAME", "1"});
-    return defines;
-}
-
 }  // namespace
 
 DrawPass::DrawPass(const Gpu& gpu, const BufferTable& table, const DrawShaders& shaders,
                    const std::vector<std::string>& reads, const Framebuffer& target, GLenum culled)
     : program_(Program::graphics(gpu, "render/" + shaders.vertex + ".vert", "render/" + shaders.fragment + ".frag",
-                                 withFlatFrame(gpu, shaders.defines))),
+                                 shaders.defines)),
       bindings_(program_, table.only(withFrame(reads), "pass " + name()), "pass " + name()),
       noAttributes_(VertexArrayHandle::make()), target_(&target), culled_(culled)
 {

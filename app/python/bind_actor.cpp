@@ -103,7 +103,7 @@ py::list jointsOf(const Actor& actor)
 std::string temporaryFile(const Actor& actor)
 {
     static const std::string folder = [] {
-        const std::string made = py::module_::import("tempfile").attr("mkdtemp")("", "knuckle-").cast<std::string>();
+        std::string made = py::module_::import("tempfile").attr("mkdtemp")("", "knuckle-").cast<std::string>();
         py::module_::import("atexit").attr("register")(py::module_::import("shutil").attr("rmtree"), made, true);
         return made;
     }();
@@ -111,7 +111,7 @@ std::string temporaryFile(const Actor& actor)
     plain.skin = {};  // a scene reads that from the model
     FnvHash hash;
     hash.add(std::string_view(actorText(plain)));
-    const std::string path = fmt::format("{}/{}.npz", folder, hashText(hash.value()));
+    std::string path = fmt::format("{}/{}.npz", folder, hashText(hash.value()));
     if (!std::filesystem::exists(path)) writeActor(path, plain);
     return path;
 }

@@ -1,5 +1,4 @@
 // One infinite plane over the whole picture: the ground with its pattern, or a tilted one in its own colour.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 #include "render/common/thing.glsl"

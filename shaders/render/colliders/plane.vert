@@ -1,5 +1,4 @@
 // One triangle over the whole picture, with the values that all pixels of a plane share.
-#include "render/common/flat/flat_frame_out.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/thing_out.glsl"
 #include "render/colliders/collider_place.glsl"
@@ -32,5 +31,4 @@ void main()
     normalWord = packNormal(normal);
     planeColor = texelFetch(colliderPlanes, 2 * gl_InstanceID);
     gl_Position = screenCorner();
-    giveFrame();
 }

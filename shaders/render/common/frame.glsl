@@ -2,6 +2,4 @@
 #include "shared/draw_types.h"
 #include "shared/frame_types.h"
 
-#ifndef READS_FLAT_FRAME
 layout(std140) uniform Frame { FrameInput frame; };
-#endif

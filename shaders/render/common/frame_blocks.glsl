@@ -1,9 +1,7 @@
 // The host's values of a frame, and the view that the camera's kernels computed from them.
 #include "render/common/frame.glsl"
 
-#ifndef READS_FLAT_FRAME
 layout(std140) uniform View { FrameView view; };
-#endif
 
 vec3 toView(vec3 world)
 {

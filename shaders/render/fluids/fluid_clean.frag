@@ -1,5 +1,4 @@
 // What rows and columns alone leave behind: the mean over 5 x 5 pixels of those in range, in pairs as in fluid_smooth.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/frame_blocks.glsl"
 
 uniform sampler2D fluidSmoothPicture;

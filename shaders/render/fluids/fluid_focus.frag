@@ -1,6 +1,5 @@
 // How the surface of fluid, as the key light sees it, gathers light: its curvature, by derivatives along rows and,
 // COLUMNS, along columns of what came of that.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/fluids/gaussian.glsl"
 
 #ifdef COLUMNS

@@ -1,5 +1,4 @@
 // LAYERS: the smoothed surface of fluid, as a surface like all others.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/surface.glsl"
 #include "render/fluids/surface_slope.glsl"
 #include "shared/thing_types.h"

@@ -1,6 +1,5 @@
 // The surface of fluid over the lit picture: what is seen through it, bent (Snell) and dimmed (Beer and Lambert), what
 // comes back from inside, and what it mirrors (Fresnel, Schlick 1994).
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/sky.glsl"

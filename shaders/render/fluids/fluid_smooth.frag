@@ -3,7 +3,6 @@
 // bends is smoothed. As in the narrow-range filter of Truong and Yuksel (2018), what lies much nearer does not count,
 // and what lies much further as a little behind: edges stay where they are, and nothing shrinks. Both set in gradually,
 // or neighbouring rows would differ.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/frame_blocks.glsl"
 
 #ifdef COLUMNS

@@ -1,5 +1,4 @@
 // The height of the upper surface and its slopes along x and z, along rows and, COLUMNS, along columns of that.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/fluids/gaussian.glsl"
 #include "render/fluids/top_map.glsl"
 

@@ -1,5 +1,4 @@
 // Foam, spray and bubbles over the lit picture: whiter the more of them there are.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/tone/tone_map.glsl"
 

@@ -1,6 +1,5 @@
 // What a camera in fluid sees: things through the fluid, and its upper surface from below, where rays leave it (Snell)
 // or are thrown back (Fresnel).
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/fluid_looks.glsl"
 #include "render/common/rays/mirrored.glsl"
 #include "render/common/sky.glsl"

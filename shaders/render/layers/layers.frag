@@ -1,5 +1,4 @@
 // What a pixel shows, as numbers: normal in the world and view depth [m], below 0 where nothing is; albedo.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 

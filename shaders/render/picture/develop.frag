@@ -1,5 +1,4 @@
 // The picture of the light of a frame: what the lens does to it, then the curve, then noise that hides steps.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/frame.glsl"
 #include "render/common/tone/tone_map.glsl"
 

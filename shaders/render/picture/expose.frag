@@ -1,5 +1,4 @@
 // Adds a draw's share to the light of the frame.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/frame.glsl"
 
 uniform sampler2D SOURCE;

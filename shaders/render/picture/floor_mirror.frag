@@ -1,5 +1,4 @@
 // Polished ground over the lit picture: what the ray that it mirrors meets in the picture, else the sky.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/rays/mirrored.glsl"

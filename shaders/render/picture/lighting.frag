@@ -1,5 +1,4 @@
 // Lights the surfaces and paints the sky behind them; writes final colours, or light.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/fog.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/rays/screen_march.glsl"

@@ -1,5 +1,4 @@
 // Half resolution: how much of the ambient light and of the key light reaches the surface.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/frame_blocks.glsl"
 #include "render/common/surface.glsl"
 #include "render/picture/shade.glsl"

@@ -1,5 +1,4 @@
 // The mean of the samples of one pixel of the finished picture.
-#include "render/common/flat/flat_frame_in.glsl"
 #include "render/common/frame.glsl"
 
 uniform sampler2D smoothedPicture;

@@ -21,7 +21,7 @@ void main()
     vec4 position = texelFetch(searchPositions, int(i));
     vec3 x = position.xyz;
     ParticleRank own = fetchRank(i);
-    float reach = colliderReach(position.w) + extraMargin(fetchSearchCentre(searchCentres, own.mover));
+    float reach = colliderReach(position.w) + max(extraMargin(fetchSearchCentre(searchCentres, own.mover)), 0.0);
     uint near = texelFetch(moverColliders, int(own.mover)).x;
     if (isRound(i)) {
         RoundBody body = fetchRound(own.mover);

@@ -16,7 +16,7 @@ void main()
     if (m >= sim.moverCount) return;
     float radius = moverRadius(m);
     SearchCentre found = fetchSearchCentre(searchCentres, m);
-    float reach = colliderReach(radiusExcess(m)) + radius + extraMargin(found);
+    float reach = colliderReach(radiusExcess(m)) + radius + max(extraMargin(found), 0.0);
     uint near = 0u;
     for (uint c = 0u; c < sim.colliderCount; ++c)
         near |= (colliderBound(c, found.position) < reach ? 1u : 0u) << (c & 31u);

@@ -90,9 +90,9 @@ void main()
             uint m = indexOf(ahead, first + takeFirst(hits), range);
             SortedParticle other = fetchSortedParticle(m);
             vec3 place = fetchSortedPosition(m).position;
-            if (other.fast || !inForwardRange(cell, range, place) || !mayTouch(self.particle, other.particle)) continue;
-            float further = max(reachOf(self.particle), reachOf(other.particle));
-            if (speaks(self.particle, other.particle, own.position - place, further))
+            if (other.fast || !inForwardRange(cell, range, place)) continue;
+            if (!mayTouch(self.particle, other.particle)) continue;
+            if (speaks(self.particle, other.particle, own.position - place, 0.0))
                 notePair(self.particle, other.particle, count++);
         }
     } while ((first += 64u) < ahead.count);

@@ -4,11 +4,19 @@
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/grid.glsl"
 #include "sim/common/particles.glsl"
+#include "sim/common/contacts/search_margin.glsl"
 #include "sim/search/contact_search.glsl"
 #include "sim/search/filter_window.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer fastParticles;
+uniform samplerBuffer searchCentres;
+
+/// By how much further a particle looks than others [m].
+float reachOf(uint particle)
+{
+    return extraMargin(fetchSearchCentre(searchCentres, fetchRank(particle).mover));
+}
 
 /// @param r from the other to the own particle [m]. @param reach of the own one.
 bool isContact(uint own, SortedParticle other, vec3 r, float reach)

@@ -2,7 +2,6 @@
 #include "math/quaternion.glsl"
 #include "sim/common/contacts/touch.glsl"
 #include "sim/common/contacts/round_bodies.glsl"
-#include "sim/common/contacts/search_margin.glsl"
 #include "sim/search/candidate_notes.glsl"
 #include "sim/search/self_contact.glsl"
 #include "sim/search/sorted_particles.glsl"
@@ -13,13 +12,6 @@ uniform usamplerBuffer sortedParticles;
 uniform usamplerBuffer cellStarts;
 uniform samplerBuffer searchRotations;
 uniform samplerBuffer searchPositions;
-uniform samplerBuffer searchCentres;
-
-/// By how much further a particle looks than others [m].
-float reachOf(uint particle)
-{
-    return extraMargin(fetchSearchCentre(searchCentres, fetchRank(particle).mover));
-}
 
 SortedPosition fetchSortedPosition(uint k)
 {
@@ -60,7 +52,7 @@ bool speaks(uint i, uint j, vec3 difference, float further)
     vec3 inB = rotate(conjugate(texelFetch(searchRotations, int(b))), difference);
     return (!roundI || nearestOfRound(a, fetchArm(i).r, inA)) && (!roundJ || nearestOfRound(b, fetchArm(j).r, inB));
 #else
-    return length(difference) < sim.contactReach + further;
+    return true;
 #endif
 }
 

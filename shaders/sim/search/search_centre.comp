@@ -21,8 +21,7 @@ void main()
     searchRotations[m] = fetchRotation(m);
 #else
     vec3 move = fetchMove(m).shift;
-    float reach = texelFetch(moverReaches, int(m)).x;
-    if (counters[0].fastCount > sim.fastLimit) reach = min(reach, 0.0);
+    float reach = counters[0].fastCount <= sim.fastLimit ? texelFetch(moverReaches, int(m)).x : 0.0;
     float margin = sim.drift + reach;
     vec3 ahead = move * min(sim.lookAhead, 0.75 * margin / max(length(move), 1e-20));
     searchCentres[m] = packSearchCentre(SearchCentre(fetchCentre(m) + move + ahead, margin));

@@ -6,7 +6,6 @@
 #include <bit>
 
 #include "sim/base/errors.h"
-#include "sim/solver/restitution/restitution_stage.h"
 #include "sim/solver/scan.h"
 #include "sim/world/matter/grain.h"
 
@@ -25,8 +24,7 @@ constexpr float ROUND_TOUCH = 1.7f;
 
 SearchStage::SearchStage(const StageSetup& setup)
     : parameters_(setup.parameters), byParticles_(setup.world.settings.solver == SolverKind::Paper),
-      hasSolids_(setup.layout.solidCount > 0), hasColliders_(hasSolids_ && !setup.world.colliders.empty()),
-      calms_(!RestitutionStage::isNeeded(setup.world))
+      hasSolids_(setup.layout.solidCount > 0), hasColliders_(hasSolids_ && !setup.world.colliders.empty())
 {
 }
 

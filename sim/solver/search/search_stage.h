@@ -45,12 +45,11 @@ private:
 
     const gpu::StepParameters& parameters_;
     /// The first: the solver is the paper's, whose bodies are particles until the end of a step.
-    /// The last: nothing bounces, so a contact may be found when it is there already.
-    bool byParticles_, hasSolids_, hasColliders_, calms_;
+    bool byParticles_, hasSolids_, hasColliders_;
     Defines kind_ = byParticles_ ? Defines{{"FROM_POSITIONS", "1"}} : Defines{};
     Pass drift_{*this, "search/mover_drift", {}, hasSolids_ && !byParticles_};
     Pass due_{*this, "search/search_due"};
-    Pass reach_{*this, "search/mover_reach", definesOf({{"CALM", calms_}}), hasSolids_ && !byParticles_};
+    Pass reach_{*this, "search/mover_reach", {}, hasSolids_ && !byParticles_};
     Pass centre_{*this, "search/search_centre", kind_, hasSolids_};
     Pass position_{*this, "search/search_position", kind_, hasSolids_};
     Pass countCells_{*this, "common/grid/grid_count", {}, hasSolids_};

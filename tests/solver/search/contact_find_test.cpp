@@ -60,20 +60,6 @@ TEST_P(ContactFind, FindsEachPairInReachOnce)
     EXPECT_EQ(fixture.counters().problems, 0u);
 }
 
-TEST_P(ContactFind, CalmMoversFindOnlyWhatIsNearer)
-{
-    fixture.makeSomeCalm();
-    find();
-    EXPECT_GT(expectAllPairsOnce().size(), 1000u);
-    uint32_t leftOut = 0;
-    for (uint32_t i = 0; i < fixture.count(); ++i)
-        for (uint32_t j = 0; j < i; ++j) {
-            const float distance = fixture.distance(i, j);
-            leftOut += distance < fixture.stages.parameters.contactReach && distance > fixture.limitOf(i, j);
-        }
-    EXPECT_GT(leftOut, 300u) << "of two calm movers";
-}
-
 TEST_P(ContactFind, FastMoversFindAllInTheirReachOnce)
 {
     fixture.makeSomeFast();

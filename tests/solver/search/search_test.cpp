@@ -36,7 +36,6 @@ SearchBench::SearchBench() : KernelFixture(withNeighbours(mixedWorld()))
     for (uint32_t i = 0; i < count(); ++i)
         if (!bodies[i].empty()) positions[i] = packed(0.4f * vec3(positions[i]));
     place(positions);
-    setReaches(reaches);
 }
 
 void SearchBench::place(const std::vector<gpu::vec4>& positions)
@@ -83,18 +82,7 @@ Eigen::Vector2f halves(uint32_t packedFrictions)
 
 float SearchBench::limitOf(uint32_t i, uint32_t j) const
 {
-    const float a = reaches[moverOf(i)], b = reaches[moverOf(j)];
-    const float further = std::max(a, b) > 0.0f ? std::max(a, 0.0f) + std::max(b, 0.0f) : std::max(a, b);
-    return stages.parameters.contactReach + further;
-}
-
-void SearchBench::makeSomeCalm()
-{
-    Random random(17);
-    std::vector<float> lengths(reaches.size(), 0.0f);
-    for (size_t m = 0; m < lengths.size(); ++m)
-        if (m % 3 != 0) lengths[m] = -random.between(0.1f, 0.9f) * stages.parameters.drift;
-    setReaches(lengths);
+    return stages.parameters.contactReach + reaches[moverOf(i)] + reaches[moverOf(j)];
 }
 
 void SearchBench::makeSomeFast()
@@ -106,9 +94,9 @@ void SearchBench::makeSomeFast()
     setReaches(lengths);
 }
 
-void SearchBench::setReaches(std::vector<float> lengths)
+void SearchBench::setReaches(const std::vector<float>& lengths)
 {
-    reaches = std::move(lengths);
+    reaches = lengths;
     std::vector<gpu::vec4> centres;
     for (float reach : reaches) centres.push_back(packed({0, 0, 0}, stages.parameters.drift + reach));
     fill(stages.search.searchCentres, centres);

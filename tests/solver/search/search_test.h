@@ -25,7 +25,7 @@ public:
     /// Implemented anew from the rules: never of one body, or of two bodies that limits hold; within an assembly,
     /// neither a universal joint's cross nor particles nearer than a diameter and a margin at rest.
     bool mayTouch(uint32_t i, uint32_t j) const;
-    /// The distance below which two particles are a pair [m]: larger for fast movers, smaller for two calm ones.
+    /// The distance below which two particles are a pair [m]: larger for fast movers.
     float limitOf(uint32_t i, uint32_t j) const;
     float distance(uint32_t i, uint32_t j) const { return (vec3(found[i]) - vec3(found[j])).norm(); }
 
@@ -33,10 +33,8 @@ public:
     void place(const std::vector<gpu::vec4>& positions);
     /// Makes some movers of each kind look further for contacts, up to the largest reach.
     void makeSomeFast();
-    /// Two movers of three, that look less far.
-    void makeSomeCalm();
     /// Makes movers look further for contacts by these lengths [m].
-    void setReaches(std::vector<float> lengths);
+    void setReaches(const std::vector<float>& lengths);
     /// The pairs that the search noted, by first particle, in the order in which it noted them.
     std::vector<std::vector<uint32_t>> notedPairs() const;
     /// What it noted, in the order of arrival: first and second particle, place, arrival.
