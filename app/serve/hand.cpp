@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "app/scene/joints/scene_joints.h"
 #include "app/scene/names/named.h"
@@ -87,18 +86,24 @@ void Hand::grab(const Picked& picked, Solver& solver)
 /// Cloth, ropes and soft bodies hang together, and are held at a spot; fluids and grains by the handful.
 void Hand::holdLoose(Held& held, const ParticleState& state) const
 {
-    const auto all = std::views::iota(held.picked.firstLoose, held.picked.endLoose);
+    const uint32_t first = held.picked.firstLoose, end = held.picked.endLoose;
     const auto distance = [&](uint32_t i) { return (state.positions[i] - held.place).squaredNorm(); };
-    const uint32_t nearest = *std::ranges::min_element(all, {}, distance);
+    uint32_t nearest = first;
+    for (uint32_t i = first; i < end; ++i)
+        if (distance(i) < distance(nearest)) nearest = i;
     const uint32_t assembly = world_.particles[nearest].assembly;
     const bool isFluid = nearest >= world_.solidCount();
     const float apart = isFluid ? world_.fluidSpacing : world_.diameter();
     held.radius = HANDFUL * apart;
-    const auto hangsOn = [&](uint32_t i) { return i != nearest && world_.particles[i].assembly == assembly; };
-    if (isFluid || assembly == NO_INDEX || std::ranges::none_of(all, hangsOn)) return;
+    if (isFluid || assembly == NO_INDEX) return;
     double mass = static_cast<double>(world_.particles[nearest].mass);
-    for (const uint32_t i : all)
-        if (hangsOn(i)) mass += static_cast<double>(world_.particles[i].mass);
+    bool isAlone = true;
+    for (uint32_t i = first; i < end; ++i) {
+        if (i == nearest || world_.particles[i].assembly != assembly) continue;
+        mass += static_cast<double>(world_.particles[i].mass);
+        isAlone = false;
+    }
+    if (isAlone) return;
     held.strength = weightOf(mass);
     held.particle = nearest;
     held.place = state.positions[nearest];

@@ -188,7 +188,7 @@ SweepPlan parsePlan(JsonFile file)
     checkFields(file, plan);
     checkOutput(file, plan);
     checkFrames(file, plan);
-    plan.document = std::move(file.root);
+    plan.document = file.root.dump();
     return plan;
 }
 

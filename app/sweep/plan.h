@@ -23,7 +23,7 @@ struct SweepField {
 struct SweepPlan {
     std::string path;                    ///< Of its file.
     std::string name;                    ///< Of the sweep.
-    Json document;                       ///< With all defaults.
+    std::string document;                ///< As text, with all defaults.
     std::string scene, states;           ///< Paths; empty: none.
     std::vector<Override> changes;       ///< Of all runs.
     std::vector<SweepField> fields;      ///< That differ.

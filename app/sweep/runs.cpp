@@ -169,7 +169,7 @@ void checkScene(const SweepPlan& plan, const std::vector<SweepRun>& runs)
 std::string sweepFingerprint(const SweepPlan& plan)
 {
     FnvHash hash;
-    hash.add(plan.document.dump());
+    hash.add(std::string_view(plan.document));
     if (!plan.scene.empty()) hash.add(readInput(findAsset(plan.scene), "a scene"));
     std::error_code ignored;
     if (!plan.states.empty()) hash.add(uint64_t{std::filesystem::file_size(plan.states, ignored)});
