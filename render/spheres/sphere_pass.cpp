@@ -78,17 +78,13 @@ SpherePass::SpherePass(const Gpu& gpu, BufferTable& table, const World& world, c
         defines.insert(defines.end(), patterns.begin(), patterns.end());
         defines.insert(defines.end(), more.begin(), more.end());
         const Defines seen = joined({defines, targets.layerDefines()});
+        std::vector<std::string> reads = {"sphereList",    "sphereScales",   "positions",      "velocities",
+                                          "sphereColors",  "spherePlaces",   "grainParticles", "finishes",
+                                          "bodyRotations", "shownQuantities"};
+        if (apart) reads.push_back("fluidMaterials");
         const auto pass = [&](const char* vertex, const char* fragment, const Framebuffer& target) {
             const Defines& own = &target == &targets.geometry ? seen : defines;
-            return apart ? DrawPass(
-                               gpu, table, {vertex, fragment, own},
-                               {"sphereList", "sphereScales", "positions", "velocities", "sphereColors", "spherePlaces",
-                                "grainParticles", "finishes", "bodyRotations", "shownQuantities", "fluidMaterials"},
-                               target)
-                         : DrawPass(gpu, table, {vertex, fragment, own},
-                                    {"sphereList", "sphereScales", "positions", "velocities", "sphereColors",
-                                     "spherePlaces", "grainParticles", "finishes", "bodyRotations", "shownQuantities"},
-                                    target);
+            return DrawPass(gpu, table, {vertex, fragment, own}, reads, target);
         };
         return Passes{pass("spheres/sphere", "spheres/sphere", targets.geometry),
                       pass("spheres/sphere_quad", "spheres/sphere", targets.geometry),

@@ -39,6 +39,19 @@ class Runs(unittest.TestCase):
         return result.stderr.removeprefix("knuckle: ").strip()
 
 
+def pair_beside_pool(pair="pair"):
+    """A scene of a tenth of a second: a pair of jointed cubes of this name falls beside a small pool; diameters are
+    0.1 m."""
+    return {
+        "duration": 0.1, "fps": 50,
+        "colliders": [{"type": "plane"}],
+        "objects": [{"type": "joined", "name": pair, "position": [1, 0.6, 0]},
+                    {"type": "fluid", "shape": "box", "name": "pool", "position": [-1, 0.3, 0],
+                     "size": [0.6, 0.4, 0.6]}],
+        "render": {"width": 64, "height": 36},
+    }
+
+
 PLY_TYPES = {"uint": "<u4", "int": "<i4", "float": "<f4", "uchar": "u1"}
 
 

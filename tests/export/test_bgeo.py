@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from runs import Runs, read_ply
+from runs import Runs, pair_beside_pool, read_ply
 
 try:
     import partio
@@ -13,14 +13,7 @@ except ImportError:
     partio = None
     print("Partio's Python is not here: what it reads is not tested", file=sys.stderr)
 
-# A pair of jointed cubes falls beside a small pool; diameters of 0.1 m.
-SCENE = {
-    "duration": 0.1, "fps": 50,
-    "colliders": [{"type": "plane"}],
-    "objects": [{"type": "joined", "name": "pair", "position": [1, 0.6, 0]},
-                {"type": "fluid", "shape": "box", "name": "pool", "position": [-1, 0.3, 0], "size": [0.6, 0.4, 0.6]}],
-    "render": {"width": 64, "height": 36},
-}
+SCENE = pair_beside_pool()
 KINDS = {0: ">f4", 1: ">i4", 5: ">f4"}  # float, integer, vector
 
 

@@ -6,7 +6,7 @@ import xml.etree.ElementTree as xml
 
 import numpy as np
 
-from runs import Runs, read_ply, read_vtp
+from runs import Runs, pair_beside_pool, read_ply, read_vtp
 
 try:
     import vtk
@@ -15,14 +15,7 @@ except ImportError:
     vtk = None
     print("VTK's Python (python3-vtk9) is not here: what it reads is not tested", file=sys.stderr)
 
-# A pair of jointed cubes falls beside a small pool that sinks into a box of colliders; diameters of 0.1 m.
-SCENE = {
-    "duration": 0.1, "fps": 50,
-    "colliders": [{"type": "plane"}],
-    "objects": [{"type": "joined", "name": "pär", "position": [1, 0.6, 0]},
-                {"type": "fluid", "shape": "box", "name": "pool", "position": [-1, 0.3, 0], "size": [0.6, 0.4, 0.6]}],
-    "render": {"width": 64, "height": 36},
-}
+SCENE = pair_beside_pool("pär")
 EXPORTS = ["--export", "vtk=vtk", "--export", "ply=ply", "--export", "bodies=bodies.csv"]
 
 

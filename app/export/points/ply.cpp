@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/export/binary.h"
+#include "app/export/points/particle_points.h"
 #include "sim/base/files/output_file.h"
 
 namespace knuckle {
@@ -27,21 +26,18 @@ std::string materialComments(const World& world)
 
 void PlyExport::frame(const ExportFrame& frame)
 {
-    const ParticleState& state = *frame.particles;
-    const auto there = std::count(state.inactive.begin(), state.inactive.end(), false);
+    const ParticlePoints points = pointsOf(frame);
     std::string text = fmt::format("ply\nformat binary_little_endian 1.0\ncomment frame {}\nelement vertex {}\n",
-                                   frame.number, there);
+                                   frame.number, points.ids.size());
     text.insert(text.find("element"), materialComments(frame.world));
     text += "property uint id\nproperty float x\nproperty float y\nproperty float z\nproperty float vx\n"
             "property float vy\nproperty float vz\nproperty int body\nproperty uint material\nend_header\n";
-    for (uint32_t i = 0; i < state.positions.size(); ++i) {
-        if (state.inactive[i]) continue;
-        const Particle& particle = frame.world.particles[i];
-        appendBytes(text, i);
-        appendBytes(text, state.positions[i]);
-        appendBytes(text, state.velocities[i]);
-        appendBytes(text, static_cast<int32_t>(particle.body));  // NO_INDEX becomes -1
-        appendBytes(text, particle.material);
+    for (size_t i = 0; i < points.ids.size(); ++i) {
+        appendBytes(text, points.ids[i]);
+        for (size_t k = 0; k < 3; ++k) appendBytes(text, points.places[3 * i + k]);
+        for (size_t k = 0; k < 3; ++k) appendBytes(text, points.velocities[3 * i + k]);
+        appendBytes(text, points.bodies[i]);
+        appendBytes(text, points.materials[i]);
     }
     writeFile(names().path(frame.number), text);
 }

@@ -6,8 +6,8 @@ const uint HIDDEN_FROM_EYE = 1u;
 const uint HIDDEN_FROM_LIGHT = 2u;
 
 // How well a cell hides what is behind it is counted in parts of a lattice's layer, and this hides all.
-const float LAYER_UNITS = 64.0;
-const uint HIDING_UNITS = 6u * 64u;
+const uint LAYER_UNITS = 64u;
+const uint HIDING_UNITS = 6u * LAYER_UNITS;
 
 uint cellIndex(uvec3 cell)
 {

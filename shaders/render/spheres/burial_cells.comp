@@ -26,5 +26,5 @@ void main()
     float share = min(min(own, least) / view.cellSize.w, 1.0);
     float side = min(min(view.cellSize.x, view.cellSize.y), view.cellSize.z);
     float hidden = share >= FULL_SHARE ? share * side / (2.0 * frame.radius) : 0.0;
-    buried[cell] = inner ? uint(hidden * LAYER_UNITS) : 0u;
+    buried[cell] = inner ? uint(hidden * float(LAYER_UNITS)) : 0u;
 }
