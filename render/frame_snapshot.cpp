@@ -78,6 +78,10 @@ void FrameSnapshot::take(const ParticleView& view)
         view_.fluidForms = copyBytes(view.fluidForms, view.particleCount * sizeof(uint32_t), forms_, "drawn forms");
     view_.distanceStates = copyVectors(view.distanceStates, view.distanceCount, distances_, "drawn distances");
     if (showsSlots_) takeSlots(view);
+    const size_t floats = view.particleCount * sizeof(float);
+    if (view.ages != 0) view_.ages = copyBytes(view.ages, floats, ages_, "drawn ages");
+    if (view.contactForces != 0)
+        view_.contactForces = copyBytes(view.contactForces, floats, contactForces_, "drawn forces");
     taken_.set();
 }
 

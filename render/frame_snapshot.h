@@ -39,7 +39,7 @@ private:
 
     bool showsSpeeds_, showsRotations_, showsCentres_, showsSlots_;
     RawBuffer positions_, velocities_, centres_, rotations_, colliders_, foam_, forms_, distances_;
-    RawBuffer particleSlots_, slotParticles_, pressures_, shapes_, covers_;
+    RawBuffer particleSlots_, slotParticles_, pressures_, shapes_, covers_, ages_, contactForces_;
     ParticleView view_;
     Fence taken_, drawn_;
 };

@@ -44,7 +44,7 @@ enum class ToneMap : uint32_t { Film, Neutral, Agx, Linear };
 /// What is where nothing is.
 enum class Background : uint32_t { Sky, Transparent, Color };
 
-enum class ColorBy : uint32_t { Body, Material, Particle, Speed, Pressure, Density, Strain };
+enum class ColorBy : uint32_t { Body, Material, Particle, Speed, Pressure, Density, Strain, Age, ContactForce };
 
 /// Of quantities, see palette.cpp.
 enum class Palette : uint32_t { Auto, Heat, Viridis, Cividis, Turbo, Diverging };

@@ -15,7 +15,9 @@ StoredView::StoredView(const World& world)
       rotations_("stored rotations", world.bodies.size()), colliders_("stored colliders", 2 * world.colliders.size()),
       foam_("stored foam", FoamStage::capacity(world)),
       distances_("stored distances", canTear(world) ? strandOrder(world).nodeCount : 0),
-      forms_("stored forms", FormStage::isNeeded(world) ? world.particles.size() : 0)
+      forms_("stored forms", FormStage::isNeeded(world) ? world.particles.size() : 0),
+      ages_("stored ages", world.shown.ages ? world.particles.size() : 0),
+      contactForces_("stored forces", world.shown.contactForces ? world.particles.size() : 0)
 {
 }
 
@@ -37,6 +39,10 @@ ParticleView StoredView::upload(const ViewState& state)
     view.foamPlaces = fill(foam_, state.foamPlaces.empty() ? none : state.foamPlaces);
     view.foamCount = static_cast<uint32_t>(foam_.size());
     if (!state.fluidForms.empty()) view.fluidForms = fill(forms_, state.fluidForms);
+    // A file may have what this picture does not show.
+    if (world_.shown.ages && !state.ages.empty()) view.ages = fill(ages_, state.ages);
+    if (world_.shown.contactForces && !state.contactForces.empty())
+        view.contactForces = fill(contactForces_, state.contactForces);
     // None is stored where none is torn; bits are stored in whole words.
     std::vector<gpu::vec4> distances(distances_.size());
     for (size_t i = 0; i < std::min(distances.size(), state.tornDistances.size()); ++i)

@@ -19,6 +19,7 @@ private:
     const World& world_;
     Buffer<gpu::vec4> positions_, velocities_, centres_, rotations_, colliders_, foam_, distances_;
     Buffer<uint32_t> forms_;
+    Buffer<float> ages_, contactForces_;
 };
 
 }  // namespace knuckle

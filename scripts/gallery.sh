@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # Makes docs/gallery.md and its pictures in docs/gallery, a still and a small film of each scene: scripts/gallery.sh
 # [NAME...], of all scenes or of these. Scenes that have not changed since their pictures were made are skipped;
-# docs/gallery/made has the checksums. All of them take an hour on two busy cores, a small one ten seconds;
+# docs/gallery/made has the checksums. All of them take an hour on two busy cores, a small one ten seconds.
+# --times [NAME...] makes their films as they are instead, and notes the processor time of each in docs/gallery/times.
 # PROGRAM names another program than build/release/bin/knuckle.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 program=${PROGRAM:-build/release/bin/knuckle}
 pictures=docs/gallery
 made=$pictures/made
+times=$pictures/times
 
 # What the page begins with.
 first=(ballpit wrecking jetty rapids dominoes torn waterfall dance)
@@ -22,7 +24,7 @@ most=120
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$pictures"
-touch "$made"
+touch "$made" "$times"
 
 # Refuses a picture that is too large for a page.
 small() {
@@ -54,6 +56,23 @@ make() {
     sed -i "\\# $scene\$#d" "$made" && sha256sum "$scene" >>"$made" && LC_ALL=C sort -k 2 -o "$made" "$made"
 }
 
+# The processor time of a scene's film. Other work on the machine changes it less than the time on the clock.
+measure() {
+    local name=$1 seconds TIMEFORMAT='%U %S'
+    seconds=$({ time "$program" render "assets/scenes/$name.json" --quiet -o "$work/film.mp4" 2>"$work/told"; } 2>&1) || {
+        cat "$work/told" >&2
+        return 1
+    }
+    sed -i "/^$name /d" "$times"
+    awk -v name="$name" '{ printf "%s %.0f\n", name, $1 + $2 }' <<<"$seconds" >>"$times"
+    LC_ALL=C sort -o "$times" "$times"
+}
+
+# " (95 s)"; nothing where it was not measured.
+time_of() {
+    sed -nE "s/^$1 ([0-9]+)$/ (\1 s)/p" "$times"
+}
+
 # The page, of all scenes that have pictures, two in a row.
 page() {
     local names=() name column=0
@@ -66,14 +85,15 @@ page() {
 <!-- Made by scripts/gallery.sh; do not edit. -->
 
 Each picture opens a film. All were made on a CPU, by `knuckle render assets/scenes/NAME.json -o NAME.mp4`; a scene is a
-[text](scene.md) of at most forty lines.
+[text](scene.md) of at most forty lines. In brackets: processor time of such a film, 1280 x 720, as one core of a small
+server takes it; two need half of that at least.
 
 | | |
 | --- | --- |
 END
     for name in "${names[@]}"; do
-        printf '| [![%s](gallery/%s.jpg)](gallery/%s.webp)<br>[`%s`](../assets/scenes/%s.json): %s ' "$name" "$name" \
-            "$name" "$name" "$name" "$(sed -nE '0,/"description"/s/^ *"description": "(.*)",?$/\1/p' "assets/scenes/$name.json")"
+        printf '| [![%s](gallery/%s.jpg)](gallery/%s.webp)<br>[`%s`](../assets/scenes/%s.json): %s%s ' "$name" "$name" \
+            "$name" "$name" "$name" "$(sed -nE '0,/"description"/s/^ *"description": "(.*)",?$/\1/p' "assets/scenes/$name.json")" "$(time_of "$name")"
         column=$((1 - column))
         if (( column == 0 )); then echo '|'; fi
     done
@@ -81,20 +101,25 @@ END
 }
 
 failed=()
+task='make'
+if [[ ${1:-} == --times ]]; then
+    task=measure
+    shift
+fi
 names=("$@")
 if (( $# == 0 )); then
     for scene in assets/scenes/*.json; do names+=("$(basename "$scene" .json)"); done
 fi
 for name in "${names[@]}"; do
-    if [[ -e $pictures/$name.jpg && -e $pictures/$name.webp ]] &&
+    if [[ $task == make && -e $pictures/$name.jpg && -e $pictures/$name.webp ]] &&
             grep -qxF "$(sha256sum "assets/scenes/$name.json")" "$made"; then continue; fi
     echo "$name"
-    make "$name" || failed+=("$name")
+    $task "$name" || failed+=("$name")
     page >"$work/page"
     cp "$work/page" docs/gallery.md
 done
 page >docs/gallery.md
 if (( ${#failed[@]} )); then
-    echo "no pictures of: ${failed[*]}" >&2
+    echo "failed: ${failed[*]}" >&2
     exit 1
 fi

@@ -3,14 +3,14 @@
 # the browser in which tests look at pages.
 set -euo pipefail
 
-packages=(build-essential cmake ninja-build pkg-config ccache libegl-dev libgl-dev libepoxy-dev libegl1
+packages=(build-essential cmake ninja-build pkgconf ccache libegl-dev libgl-dev libepoxy-dev libegl1
     libgl1-mesa-dri libeigen3-dev libassimp-dev zlib1g-dev libstb-dev libdeflate-dev nlohmann-json3-dev libcli11-dev
     libfmt-dev libcpp-httplib-dev libmeshoptimizer-dev libminizip-dev libwebp-dev libzstd-dev libpng-dev libjpeg-dev libopenexr-dev libgtest-dev
     pybind11-dev python3-dev python3-numpy
     libopengl0 fonts-dejavu-core ffmpeg git ca-certificates)
 for switch in "$@"; do
     case $switch in
-        --checks) packages+=(clang-format clang-tidy) ;;
+        --checks) packages+=(clang-format clang-tidy libmujoco-dev liburdfdom-tools) ;;
         --browser) packages+=(chromium) ;;
         *) echo "install.sh: $switch is unknown; give --checks, --browser, or nothing" >&2; exit 2 ;;
     esac

@@ -12,8 +12,8 @@ import subprocess
 import sys
 from xml.sax.saxutils import escape
 
-COLORS = {"pairs": "#c2571a", "dam": "#2166ac"}
-NAMES = {"pairs": "jointed pairs", "dam": "breaking dam"}
+COLORS = {"pairs": "#c2571a", "dam": "#2166ac", "sand": "#8a7a1f"}
+NAMES = {"pairs": "jointed pairs", "dam": "breaking dam", "sand": "breaking sand"}
 KEPT = ("preset", "world", "objectCount", "particleCount", "stepsPerSecond", "settledStepsPerSecond",
         "drawnStepsPerSecond", "milliseconds", "microsecondsPerParticle", "bytesPerParticle", "problem")
 BARS = 10  # passes that have a bar of their own
@@ -101,8 +101,8 @@ def scaling(runs):
           as_ratios=True)
     panel(drawing, 470, 50, 310, 210, "memory: bytes a particle", curves("bytesPerParticle"))
     for k, world in enumerate(series):
-        drawing.dot(300 + 140 * k, 318, COLORS[world])
-        drawing.text(310 + 140 * k, 322, NAMES[world])
+        drawing.dot(230 + 140 * k, 318, COLORS[world])
+        drawing.text(240 + 140 * k, 322, NAMES[world])
     return drawing.svg()
 
 

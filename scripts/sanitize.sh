@@ -12,6 +12,8 @@ bash scripts/install.sh
 cmake --preset asan >/dev/null
 cmake --build --preset asan --target "${suites[@]/#/test_}"
 if [[ ${1:-} != --device ]]; then
+    # Left out: what does at many sizes, poses or scenes what others do at one.
+    export GTEST_FILTER='-Levels.*:DroopingArms.*:AdriftLimbs.*:MakeActor.wantedCounts*:SceneFolder.*:Scene.HasTheDiam*'
     ctest --test-dir build/asan --output-on-failure -j"$(nproc)" -R "^($(IFS='|'; echo "${suites[*]}"))\$"
     exit
 fi

@@ -14,7 +14,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr double PAIR_LAYERS = 4.0, DAM_LAYERS = 16.0;
+constexpr double PAIR_LAYERS = 4.0, COLUMN_LAYERS = 16.0;
 /// Further steps, of which each pass is timed by itself.
 constexpr uint32_t PASS_STEPS = 5;
 
@@ -33,9 +33,10 @@ struct ScaleRun {
 /// As high at each size, so that only the area grows.
 World worldOf(const std::string& name, uint32_t particles)
 {
-    if (name == "dam") {
-        const auto side = static_cast<int>(std::lround(std::sqrt(particles / DAM_LAYERS)));
-        return damWorld({std::max(side, 1), static_cast<int>(DAM_LAYERS), std::max(side, 1)});
+    if (name != "pairs") {
+        const int side = std::max(static_cast<int>(std::lround(std::sqrt(particles / COLUMN_LAYERS))), 1);
+        const Eigen::Vector3i counts(side, static_cast<int>(COLUMN_LAYERS), side);
+        return name == "dam" ? damWorld(counts) : sandWorld(counts);
     }
     // Layers of columns x 2 columns.
     const double columns = std::max(1.0, std::round(std::sqrt(particles / (2.0 * PAIR_LAYERS * PAIR_PARTICLES))));
@@ -108,10 +109,11 @@ int benchScale(const ScaleOptions& options, const CommonOptions& common)
     const uint32_t most = *std::ranges::max_element(options.particles);
     const auto gpu = openGpu(common, FrameWork{stepWorkload(worldOf(options.worlds.back(), most)), {}});
     if (!options.json)
-        fmt::print("Jointed pairs on the floor, four layers, and a column of water that breaks, on {}: the\n"
-                   "median of {} steps of 1/60 s after {}, ms and us a particle; MiB of buffers, bytes a particle.\n\n"
-                   "world  particles  substeps   ms/step  us/particle      MiB  bytes/particle\n",
-                   gpu->device().name, options.steps, options.settling);
+        fmt::print(
+            "Jointed pairs on the floor, four layers, and columns of water and sand that break, on {}:\n"
+            "the median of {} steps of 1/60 s after {}, ms and us a particle; MiB of buffers, bytes a particle.\n\n"
+            "world  particles  substeps   ms/step  us/particle      MiB  bytes/particle\n",
+            gpu->device().name, options.steps, options.settling);
     nlohmann::ordered_json runs = nlohmann::ordered_json::array();
     for (const std::string& world : options.worlds)
         for (const uint32_t particles : options.particles) {

@@ -9,7 +9,7 @@
 namespace knuckle {
 
 struct ScaleOptions {
-    std::vector<std::string> worlds = {"pairs", "dam"};
+    std::vector<std::string> worlds = {"pairs", "dam", "sand"};
     std::vector<uint32_t> particles = {16000, 32000, 64000, 128000, 256000};  ///< The nearest that a world can have.
     uint32_t settling = 40, steps = 20;                                       ///< Not timed, and timed.
     bool json = false;

@@ -22,7 +22,7 @@ double fewerHeads(size_t n, size_t k)
     return sum;
 }
 
-double medianOf(const std::vector<double>& sorted)
+double middleRatio(const std::vector<double>& sorted)
 {
     const size_t half = sorted.size() / 2;
     // Between two ratios lies their geometric mean: so A beside B gives the inverse of B beside A.
@@ -43,7 +43,7 @@ SpeedRatio speedRatio(std::span<const double> a, std::span<const double> b)
     const size_t n = ratios.size();
     size_t k = 1;
     while (2 * (k + 1) <= n && 1.0 - 2.0 * fewerHeads(n, k + 1) >= WANTED_CONFIDENCE) ++k;
-    return {medianOf(ratios), ratios[k - 1], ratios[n - k], 1.0 - 2.0 * fewerHeads(n, k)};
+    return {middleRatio(ratios), ratios[k - 1], ratios[n - k], 1.0 - 2.0 * fewerHeads(n, k)};
 }
 
 }  // namespace knuckle

@@ -14,6 +14,7 @@
 #include "app/states/states_file.h"
 #include "app/states/states_text.h"
 #include "sim/base/fnv_hash.h"
+#include "sim/solver/shown/shown_stage.h"
 #include "sim/world/fingerprint/fingerprint.h"
 #include "sim/world/match/start_world.h"
 
@@ -104,6 +105,17 @@ bool haveSameNames(const World& one, const World& other)
            haveSameNames(one.looseGroups, other.looseGroups) && haveSameNames(one.materials, other.materials);
 }
 
+/// What a scene shows of particles goes on as well.
+void requireShown(const Scene& scene, const ShownQuantities& stored, const StatesFile& states)
+{
+    const ShownQuantities& shown = scene.world.shown;
+    const bool lacksAges = shown.ages && !stored.ages;
+    if (lacksAges || (shown.contactForces && !stored.contactForces))
+        fail(scene, "from",
+             fmt::format("{} has no {}, which /render/colorBy asks for; record it with the same, or choose another",
+                         states.path(), lacksAges ? "ages" : "forces of contacts"));
+}
+
 void requireSameKind(const Scene& scene, const World& other, const StatesFile& states)
 {
     for (const World* world : {&scene.world, &other})
@@ -170,10 +182,14 @@ std::unique_ptr<Branch> openBranch(const Scene& scene)
     const std::vector<uint64_t>& whole = states.states();
     branch->state = unpackState(states.blocks(), *std::prev(std::ranges::upper_bound(whole, branch->frame)));
     auto other = std::make_unique<World>(worldOf(scene, states));
+    requireShown(scene, other->shown, states);
     // A fingerprint has no names.
     const bool same = facts.fingerprint.world == hashText(fingerprint(scene.world)) &&
                       haveSameNames(*other, scene.world);
-    if (same && facts.stepsPerFrame == scene.stepsPerFrame) return branch;
+    if (same && facts.stepsPerFrame == scene.stepsPerFrame) {
+        leaveOutUnshown(branch->state.solver.stages, scene.world.shown);
+        return branch;
+    }
     branch->other = std::move(other);
     requireSameKind(scene, *branch->other, states);
     branch->same = counterparts(*branch->other, scene.world);

@@ -108,8 +108,9 @@ void addScale(CLI::App& bench, CommandLine line)
     command->fallthrough();
     command->footer(
         "pairs: those of table2, four layers on a floor that grows. dam: a column of water, 16 particles high, that\n"
-        "breaks. The number of particles is the nearest that such a world can have. A world that does not fit the\n"
-        "device is told. With the software driver, a million particles take some seconds a step.\n\n"
+        "breaks. sand: the same of grains. The number of particles is the nearest that such a world can have. A world\n"
+        "that does not fit the device is told. With the software driver, a million particles take some seconds a "
+        "step.\n\n"
         "Examples:\n"
         "  knuckle bench scale\n"
         "  knuckle bench scale --particles 16000,65000 --world dam\n"
@@ -117,11 +118,11 @@ void addScale(CLI::App& bench, CommandLine line)
     auto options = std::make_shared<ScaleOptions>();
     command->add_option("--particles", options->particles, "Sizes")
         ->delimiter(',')
-        ->check(CLI::Range(100, 1000000))
+        ->check(CLI::Range(100, 16000000))
         ->capture_default_str();
     command->add_option("--world", options->worlds, "What is simulated")
         ->delimiter(',')
-        ->check(CLI::IsMember({"pairs", "dam"}))
+        ->check(CLI::IsMember({"pairs", "dam", "sand"}))
         ->capture_default_str();
     command->add_option("--settle", options->settling, "Steps of 1/60 s before those that are timed")
         ->check(CLI::Range(0, 100000))

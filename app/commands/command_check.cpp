@@ -57,7 +57,7 @@ void checkActor(const std::string& path, const std::vector<Override>& overrides,
     const Actor actor = readActor(findAsset(path));
     const World world = worldOf(path, actor);
     if (quiet) return;
-    for (const std::string& warning : jointWarnings(actor, world)) fmt::print("{}: warning: {}\n", path, warning);
+    for (const std::string& warning : actorWarnings(actor, world)) fmt::print("{}: warning: {}\n", path, warning);
     double mass = 0.0;
     for (const Body& body : world.bodies) mass += double{body.mass};
     fmt::print("{}: {}, particles of {:g} m, {:.4g} kg at {:g} kg/m3\n", path, contentsOf(world), actor.diameter, mass,

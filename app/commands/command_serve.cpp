@@ -7,6 +7,7 @@
 #include "app/files/assets.h"
 #include "app/film/scene_sky.h"
 #include "app/run/tell.h"
+#include "app/serve/ball.h"
 #include "app/serve/live_run.h"
 #include "sim/base/errors.h"
 
@@ -27,12 +28,14 @@ constexpr const char* SERVE_NOTES =
     "  knuckle serve assets/scenes/dance.json --size 640x360 --port 0\n"
     "  knuckle serve assets/scenes/dam.json --host 0.0.0.0 --token \"$(openssl rand -hex 16)\"\n"
     "  knuckle serve assets/scenes/tower.json --log tower.log\n"
+    "  knuckle serve assets/scenes/tower.json --ball 0.15       throw it where the mouse is, by B\n"
     "  knuckle serve assets/scenes/tower.json --replay tower.log --hash\n\n"
     "docs/serve.md has what it answers to.";
 
 struct ServeWords {
     std::string scene, size, quality = "draft";
     std::vector<std::string> sets;
+    double ball = 0.0;  // its radius [m]; 0: none
     ServeOptions options;
 };
 
@@ -47,6 +50,7 @@ std::unique_ptr<ServedScene> load(const ServeWords& words, const CommonOptions& 
         overrides.push_back({"render.width", width});
         overrides.push_back({"render.height", height});
     }
+    if (words.ball > 0.0) overrides.push_back(ballOf(words.ball));
     for (const std::string& text : sets) overrides.push_back(parseOverride(text, "restart: "));
     auto served = std::make_unique<ServedScene>(ServedScene{loadScene(findAsset(words.scene), overrides), {}});
     readSkyOf(served->scene);
@@ -94,6 +98,9 @@ void addServeCommand(CommandLine line)
                      "What pictures may take of the time of a simulation that is behind [0.05]")
         ->type_name("PART")
         ->check(numberBetween(0.01, 1.0).description(""));
+    command->add_option("--ball", words->ball, "A ball of this radius to throw into the scene, by B")
+        ->type_name("METRES")
+        ->check(numberBetween(0.01, 10.0).description(""));
     command->add_option("--log", words->options.log, "Write all that changes the simulation, by step")
         ->type_name("FILE");
     command

@@ -8,12 +8,6 @@
 
 namespace knuckle {
 
-namespace {
-
-constexpr uint32_t MOST_PARTICLES = 200000;
-
-}  // namespace
-
 void addVoxelizeCommand(CommandLine line)
 {
     auto* command = line.program.add_subcommand("voxelize", "Fill a rigged model with particles, as a ragdoll");

@@ -36,6 +36,10 @@ constexpr const char* EXAMPLES =
     "  0 done   1 the run failed (disk full, state became invalid)   2 bad input or options\n"
     "  3 no usable OpenGL 4.3 device   4 images or states differ (compare, golden)   130 stopped by Ctrl-C\n";
 
+constexpr const char* NO_THREAD =
+    "the system gives no more threads or processes; allow more (ulimit -u; of a container "
+    "--pids-limit); `knuckle doctor` says more";
+
 void addCommonOptions(CLI::App& program, CommonOptions& common)
 {
     program
@@ -121,10 +125,9 @@ int tellFailure(const std::exception_ptr& failure)
     } catch (const std::bad_alloc&) {
         return tell(memoryMessage(), EXIT_RUN);
     } catch (const std::system_error& error) {
-        // There is no memory for a thread.
-        const bool starved = error.code() == std::errc::resource_unavailable_try_again && isMemoryShort();
         if (error.code() == std::errc::broken_pipe) return endByBrokenPipe();
-        return tell(starved ? memoryMessage() : error.what(), EXIT_RUN);
+        if (error.code() != std::errc::resource_unavailable_try_again) return tell(error.what(), EXIT_RUN);
+        return tell(isMemoryShort() ? memoryMessage() : NO_THREAD, EXIT_RUN);
     } catch (const std::exception& error) {
         return tell(error.what(), EXIT_RUN);
     }

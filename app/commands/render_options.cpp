@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -18,8 +19,9 @@ namespace knuckle {
 
 namespace {
 
-constexpr double FEWER = 0.7;  // share of the particles that a rough scene has at most
-constexpr double PREVIEW_DIAMETER = 2.0, PREVIEW_FRAMES = 12.0;  // [diameters], a second
+constexpr double FEWER = 0.7;                            // share of the particles that a rough scene has at most
+constexpr std::array PREVIEW_DIAMETERS{2.0, 1.5, 1.25};  // times that of the scene; the first that it can be made of
+constexpr double PREVIEW_FRAMES = 12.0;                  // a second
 
 Json labelsOf(const std::string& list)
 {
@@ -63,6 +65,25 @@ constexpr const char* MORE_NOTES =
     "  knuckle render assets/scenes/dance.json -o dance.gif --size 480x270 --stride 2\n"
     "  knuckle render assets/scenes/dance.json -o 'out/dance_####.jpg' --skip-existing\n"
     "  knuckle render assets/scenes/ragdoll.json --frames 100:120 --export ply=out/particles";
+
+/// Of particles as large as the scene can be made of; of its own where that does not make them fewer.
+Scene roughScene(const Scene& real, const std::vector<Override>& changes,
+                 const std::function<Scene(const std::vector<Override>&)>& load)
+{
+    for (const double larger : PREVIEW_DIAMETERS) {
+        std::vector<Override> coarse = changes;
+        coarse.push_back({"diameter", larger * static_cast<double>(real.world.diameter())});
+        try {
+            Scene scene = load(coarse);
+            const auto count = static_cast<double>(scene.world.particles.size());
+            if (count <= FEWER * static_cast<double>(real.world.particles.size())) return scene;
+            break;  // what is counted in particles would only be larger, and come too near to its neighbours
+        } catch (const InputError&) {
+            continue;  // something in it is too thin for particles so large
+        }
+    }
+    return load(changes);
+}
 
 }  // namespace
 
@@ -135,16 +156,7 @@ Preview previewOf(const Scene& real, const std::function<Scene(const std::vector
     const auto smaller = [](uint32_t pixels) { return std::max(2 * (pixels / 6), 32u); };
     std::vector<Override> changes{{"render.width", smaller(preview.width)}, {"render.height", smaller(preview.height)}};
     preview.stride = static_cast<uint64_t>(std::max(1.0, std::round(real.framesPerSecond / PREVIEW_FRAMES)));
-    try {
-        std::vector<Override> coarse = changes;
-        coarse.push_back({"diameter", PREVIEW_DIAMETER * static_cast<double>(real.world.diameter())});
-        preview.scene = load(coarse);
-        // What is counted in particles would only be larger, and come too near to its neighbours.
-        if (static_cast<double>(preview.scene.world.particles.size()) > FEWER * static_cast<double>(preview.particles))
-            preview.scene = load(changes);
-    } catch (const InputError&) {
-        preview.scene = load(changes);  // something in it is too thin for larger particles
-    }
+    preview.scene = roughScene(real, changes, load);
     preview.steps = stepTime(real) / stepTime(preview.scene);
     return preview;
 }

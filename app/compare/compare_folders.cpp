@@ -21,6 +21,7 @@ namespace knuckle {
 namespace {
 
 namespace fs = std::filesystem;
+using Status = ReportEntry::Status;
 
 constexpr std::array<const char*, 4> IMAGE_ENDINGS{".png", ".jpg", ".jpeg", ".exr"};
 
@@ -70,7 +71,7 @@ ReportEntry comparePair(const CompareRun& run, const std::string& name)
 {
     ReportEntry entry = compareImageFiles(run, (fs::path(run.first) / name).string(),
                                           (fs::path(run.second) / name).string(), name, 1);
-    if (entry.status == ReportEntry::Status::Different) {
+    if (entry.status == Status::Different) {
         writeBeside(run.difference, name, entry.pictures.difference);
         writeBeside(run.heatmap, name, entry.pictures.heatmap);
     }
@@ -84,7 +85,7 @@ ReportEntry singleImage(const CompareRun& run, const std::string& name, ReportEn
     ReportEntry entry;
     entry.name = name;
     entry.status = status;
-    if (status == ReportEntry::Status::Missing) {
+    if (status == Status::Missing) {
         entry.referencePath = (fs::path(run.first) / name).string();
         entry.line = "missing in " + run.second;
     } else {
@@ -102,14 +103,13 @@ void compareAll(const CompareRun& run, const FolderNames& names, ReportOutputs& 
     const size_t pairs = names.both.size(), known = pairs + names.missing.size();
     forEachParallel(known + names.added.size(), usableCores(), [&](size_t i) {
         if (i < pairs) outputs.add(comparePair(run, names.both[i]));
-        else if (i < known) outputs.add(singleImage(run, names.missing[i - pairs], ReportEntry::Status::Missing));
-        else outputs.add(singleImage(run, names.added[i - known], ReportEntry::Status::New));
+        else if (i < known) outputs.add(singleImage(run, names.missing[i - pairs], Status::Missing));
+        else outputs.add(singleImage(run, names.added[i - known], Status::New));
     });
 }
 
 void printEntries(const std::vector<ReportEntry>& entries)
 {
-    using Status = ReportEntry::Status;
     for (const ReportEntry& entry : entries)
         if (entry.status != Status::Equal && entry.status != Status::Unreadable)
             fmt::print("{}: {}\n", entry.name, entry.line);
@@ -122,7 +122,6 @@ void printJson(const CompareRun& run, const FolderNames& names, const std::vecto
                  {"missing", names.missing}, {"new", names.added},   {"unreadable", Json::array()},
                  {"images", Json::array()}};
     for (const ReportEntry& entry : entries) {
-        using Status = ReportEntry::Status;
         if (entry.status == Status::Missing || entry.status == Status::New) continue;
         Json image = {{"name", entry.name}};
         const bool readable = entry.status != Status::Unreadable;
@@ -165,14 +164,13 @@ int compareFolders(const CompareRun& run)
     outputs.open();
     compareAll(run, names, outputs);
     const std::vector<ReportEntry> entries = outputs.finish(headOf(run), suiteOf(run));
-    const bool equal = std::ranges::none_of(entries, [](const ReportEntry& entry) {
-        return entry.failed() && entry.status != ReportEntry::Status::Unreadable;
-    });
+    const bool equal = std::ranges::none_of(
+        entries, [](const ReportEntry& entry) { return entry.failed() && entry.status != Status::Unreadable; });
     if (run.json) printJson(run, names, entries, equal);
     else if (!run.quiet) printEntries(entries);
     bool unreadable = false;
     for (const ReportEntry& entry : entries) {
-        if (entry.status != ReportEntry::Status::Unreadable) continue;
+        if (entry.status != Status::Unreadable) continue;
         tellUser("knuckle: " + entry.line);
         unreadable = true;
     }

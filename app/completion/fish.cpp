@@ -35,8 +35,10 @@ void addCommand(std::string& text, const CommandFacts& command, const std::strin
     const std::string start = fmt::format("complete -c {}{}", program,
                                           condition.empty() ? "" : fmt::format(" -n '{}'", condition));
     for (const OptionFacts& option : command.options) addOption(text, start, option);
-    for (const OptionFacts& positional : command.positionals)
+    for (const OptionFacts& positional : command.positionals) {
         if (!positional.words.empty()) text += fmt::format("{} -f -a '{}'\n", start, fmt::join(positional.words, " "));
+        else if (!command.commands.empty()) text += start + " -F\n";  // files all the same, beside commands
+    }
     std::vector<std::string> names;
     for (const CommandFacts& below : command.commands) names.push_back(below.name);
     for (const CommandFacts& below : command.commands) {

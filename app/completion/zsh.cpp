@@ -26,12 +26,18 @@ std::string valueOf(const OptionFacts& option)
     return fmt::format(":{}:{}", quoted(option.value), action);
 }
 
+/// What stands in place of a command (a plan, beside `sweep status`), in its case.
+std::string insteadOf(const OptionFacts& option)
+{
+    return option.words.empty() ? "      _files\n" : fmt::format("      compadd {}\n", fmt::join(option.words, " "));
+}
+
 void addOption(std::string& text, const OptionFacts& option)
 {
     const std::string many = option.repeats ? "'*'" : "";
     const std::string names = option.names.size() == 1 ? option.names[0]
                                                        : fmt::format("{{{}}}", fmt::join(option.names, ","));
-    text += fmt::format("    {}{}'[{}]{}' \\\n", many, names, quoted(option.description),
+    text += fmt::format("    {}{}'[{}]{}'\n", many, names, quoted(option.description),
                         option.value.empty() ? "" : valueOf(option));
 }
 
@@ -39,22 +45,26 @@ void addOption(std::string& text, const OptionFacts& option)
 void addFunction(std::string& text, const CommandFacts& command, const std::string& name,
                  const std::vector<OptionFacts>& common)
 {
-    std::string body = fmt::format("{}() {{\n  local curcontext=$curcontext state line\n  _arguments -C \\\n", name);
+    std::string body = fmt::format("{}() {{\n  local curcontext=$curcontext state line\n  local -a options=(\n", name);
     for (const OptionFacts& option : command.options) addOption(body, option);
     for (const OptionFacts& option : common) addOption(body, option);
-    for (const OptionFacts& positional : command.positionals)
-        body += fmt::format("    '{}{}' \\\n", positional.repeats ? "*" : "", valueOf(positional));
+    body += "  )\n  _arguments -C $options";
     if (command.commands.empty()) {
-        text += body + "    && return 0\n}\n\n";
+        for (const OptionFacts& positional : command.positionals)
+            body += fmt::format(" \\\n    '{}{}'", positional.repeats ? "*" : "", valueOf(positional));
+        text += body + "\n}\n\n";
         return;
     }
-    body += "    '1:command:->command' \\\n    '*::argument:->argument' && return 0\n  case $state in\n"
+    body += " \\\n    '1:command:->command' '*::argument:->argument' && return 0\n  case $state in\n"
             "    command)\n      local -a commands=(\n";
     for (const CommandFacts& below : command.commands)
         body += fmt::format("        '{}:{}'\n", below.name, quoted(below.description));
-    body += "      )\n      _describe command commands\n      ;;\n    argument)\n      case $words[1] in\n";
+    body += "      )\n      _describe command commands\n";
+    for (const OptionFacts& positional : command.positionals) body += insteadOf(positional);
+    body += "      ;;\n    argument)\n      case $words[1] in\n";
     for (const CommandFacts& below : command.commands)
         body += fmt::format("        {0}) {1}_{0} ;;\n", below.name, name);
+    if (!command.positionals.empty()) body += "        *) _arguments $options ;;\n";
     text += body + "      esac\n      ;;\n  esac\n}\n\n";
     std::vector<OptionFacts> inherited = common.empty() ? command.options : common;
     std::erase_if(inherited, [](const OptionFacts& option) {

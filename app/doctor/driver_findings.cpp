@@ -1,10 +1,12 @@
 #include "app/doctor/driver_findings.h"
 
-#include <dlfcn.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
@@ -15,6 +17,7 @@
 #include "render/output/ffmpeg.h"
 #include "sim/base/errors.h"
 #include "sim/gpu/device/driver_advice.h"
+#include "sim/gpu/device/libraries.h"
 #include "sim/gpu/program.h"
 
 namespace knuckle {
@@ -29,32 +32,22 @@ constexpr int DEVICE_SECONDS = 40;  // the driver of a large GPU takes some seco
 constexpr const char* KERNEL = "sim/particle/state_hash.comp";
 constexpr const char* MESA = "install libegl1, libegl-mesa0 and libgl1-mesa-dri (Mesa), or the vendor's driver";
 
-/// Why none of the libraries can be loaded; empty: one can.
-std::string loadProblem(const std::vector<std::string>& libraries)
+/// Why none of the libraries can be loaded, in a process of its own; empty: one can.
+std::string boundedLoadProblem(const std::vector<std::string>& libraries)
 {
-    const BoundedResult result = runBounded(
-        [&] {
-            std::string problem;
-            for (const std::string& library : libraries) {
-                if (dlopen(library.c_str(), RTLD_LAZY | RTLD_LOCAL) != nullptr) return std::string();
-                const char* error = dlerror();
-                problem += (problem.empty() ? "" : "; ") + std::string(error != nullptr ? error : library.c_str());
-            }
-            return problem;
-        },
-        LIBRARY_SECONDS);
+    const BoundedResult result = runBounded([&] { return loadProblem(libraries); }, LIBRARY_SECONDS);
     return result.failure.empty() ? result.text : result.failure;
 }
 
 void findLibraries(Findings& findings)
 {
     const auto library = [&](const std::vector<std::string>& names, const std::string& remedy) {
-        const std::string problem = loadProblem(names);
+        const std::string problem = boundedLoadProblem(names);
         if (problem.empty()) findings.push_back({Health::Ok, fmt::format("library {}", names[0])});
         else findings.push_back({Health::Wrong, fmt::format("library {}: {}", names[0], problem), remedy});
     };
     library({"libEGL.so.1"}, "install libegl1, and libgl1-mesa-dri (Mesa) or the vendor's driver");
-    library({"libOpenGL.so.0", "libGL.so.1"}, "install libopengl0");
+    library(OPENGL_LIBRARIES, "install libopengl0");
 }
 
 void findVendors(Findings& findings, bool usable)
@@ -65,7 +58,8 @@ void findVendors(Findings& findings, bool usable)
                             fmt::format("EGL drivers: no file in {} names one", eglVendorPlaces("")),
                             usable ? "" : MESA});
     for (const EglVendor& vendor : vendors) {
-        const std::string problem = vendor.library.empty() ? "it names no library" : loadProblem({vendor.library});
+        const std::string problem = vendor.library.empty() ? "it names no library"
+                                                           : boundedLoadProblem({vendor.library});
         if (problem.empty())
             findings.push_back({Health::Ok, fmt::format("EGL driver {}, of {}", vendor.library, vendor.file)});
         else
@@ -94,7 +88,9 @@ Json chosenAsJson(const CommonOptions& common)
 void findDevices(DriverFindings& driver, const BoundedResult& listed)
 {
     if (!listed.failure.empty()) {
-        driver.findings.push_back({Health::Wrong, "devices: " + listed.failure, driver.usable ? "" : MESA});
+        const bool hasRemedy = listed.failure.find("; ") != std::string::npos;
+        driver.findings.push_back(
+            {Health::Wrong, "devices: " + listed.failure, driver.usable || hasRemedy ? "" : MESA});
         return;
     }
     const Json devices = Json::parse(listed.text);
@@ -110,6 +106,15 @@ void findDevices(DriverFindings& driver, const BoundedResult& listed)
                                        fmt::format("{} cannot be used: {}", name, problem),
                                        driver.usable ? "" : "update its driver, or choose another --device"});
     }
+}
+
+/// The error of opening it for use, 0 if there is none. Containers may refuse that whatever the file's rights say.
+int openProblem(const std::string& file)
+{
+    const int descriptor = open(file.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0) return errno;
+    close(descriptor);
+    return 0;
 }
 
 /// @throws InputError, as all commands do, for the number of no device. Where none is listed, the machine is at fault.
@@ -163,11 +168,13 @@ Findings findGpuFiles(const std::string& root)
         const std::string file = entry->path().string();
         if (!entry->path().filename().string().starts_with("renderD")) continue;
         ++count;
-        if (access(file.c_str(), R_OK | W_OK) == 0) findings.push_back({Health::Ok, file + " can be used"});
-        else
+        const int problem = openProblem(file);
+        if (problem == 0) findings.push_back({Health::Ok, file + " can be used"});
+        else if (problem == EACCES || problem == EPERM)
             findings.push_back({Health::Wrong, file + " is a GPU that this user may not use",
                                 "add the user to its group (usermod -aG render,video USER) and log in again; to a "
                                 "container give --device /dev/dri --group-add render"});
+        else findings.push_back({Health::Note, fmt::format("{} is no GPU: {}", file, std::strerror(problem))});
     }
     if (count == 0 && error && error != std::errc::no_such_file_or_directory)
         findings.push_back({Health::Wrong, fmt::format("{} cannot be read: {}", folder, error.message()),

@@ -63,6 +63,15 @@ void findFfmpeg(Findings& findings)
                             "install it (apt install ffmpeg)"});
         return;
     }
+    const auto start = [&] {
+        Ffmpeg(ffmpeg, {"-version"}, -1, ffmpeg).finish();
+        return std::string();
+    };
+    if (const std::string failure = runBounded(start, ENCODER_SECONDS).failure; !failure.empty()) {
+        findings.push_back({Health::Wrong, fmt::format("ffmpeg does not start, so no films: {}", failure),
+                            "install it anew (apt install --reinstall ffmpeg), or put another one into PATH"});
+        return;
+    }
     std::vector<std::string> fine;
     Findings lacking;
     for (const Codec& codec : codecs()) {

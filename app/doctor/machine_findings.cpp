@@ -1,9 +1,11 @@
 #include <fmt/format.h>
+#include <netinet/in.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
+#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -25,6 +27,8 @@ namespace fs = std::filesystem;
 /// What small scenes take with llvmpipe, which is half of it [bytes].
 constexpr uint64_t MEMORY = uint64_t{512} << 20;
 constexpr rlim_t FILES = 256;
+/// A live scene, or a film with its encoder.
+constexpr uint64_t THREADS = 128;
 constexpr int THREAD_SECONDS = 5;
 
 std::string variable(const char* name)
@@ -79,6 +83,17 @@ void findMemory(Findings& findings)
     }
 }
 
+/// Of this user, or of the container, threads of others among them.
+std::optional<uint64_t> threadLimit()
+{
+    std::optional<uint64_t> most = numberIn("/sys/fs/cgroup/pids.max");
+    if (!most) most = numberIn("/sys/fs/cgroup/pids/pids.max");
+    rlimit own{};
+    const bool isLimited = geteuid() != 0 && getrlimit(RLIMIT_NPROC, &own) == 0 && own.rlim_cur != RLIM_INFINITY;
+    if (isLimited) most = std::min<uint64_t>(most.value_or(UINT64_MAX), own.rlim_cur);
+    return most;
+}
+
 void findLimits(Findings& findings)
 {
     rlimit files{};
@@ -87,6 +102,12 @@ void findLimits(Findings& findings)
         const std::string count = files.rlim_cur == RLIM_INFINITY ? "any number" : std::to_string(files.rlim_cur);
         findings.push_back({isEnough ? Health::Ok : Health::Wrong, fmt::format("open files: {} allowed", count),
                             isEnough ? "" : "raise it (ulimit -n 1024)"});
+    }
+    if (const auto threads = threadLimit()) {
+        const bool isEnough = *threads >= THREADS;
+        findings.push_back({isEnough ? Health::Ok : Health::Wrong,
+                            fmt::format("processes and threads: {} allowed", *threads),
+                            isEnough ? "" : "allow more (ulimit -u; of a container --pids-limit)"});
     }
     rlimit size{};
     if (getrlimit(RLIMIT_FSIZE, &size) == 0 && size.rlim_cur != RLIM_INFINITY)
@@ -125,6 +146,35 @@ void findShaderCache(Findings& findings)
     else findings.push_back({Health::Note, fmt::format("shader cache: {} cannot be written", folder), REMEDY});
 }
 
+/// Whether somebody listens on a port of this machine.
+bool isListenedOn(uint16_t port)
+{
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(port);
+    const int connection = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    const bool answered = connection >= 0 &&
+                          connect(connection, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    if (connection >= 0) close(connection);
+    return answered;
+}
+
+/// Whether an X server may be where this leads. Of other machines nobody is asked.
+bool leadsToDisplay(const std::string& display)
+{
+    constexpr uint16_t FIRST_PORT = 6000;
+    const size_t colon = display.rfind(':');
+    if (colon == std::string::npos) return false;
+    const std::string host = display.substr(0, colon);
+    uint16_t number = 0;
+    if (std::from_chars(display.data() + colon + 1, display.data() + display.size(), number).ec != std::errc{})
+        return false;
+    std::error_code ignored;
+    if (host.empty() || host == "unix") return fs::exists(fmt::format("/tmp/.X11-unix/X{}", number), ignored);
+    return (host != "localhost" && host != "127.0.0.1") || isListenedOn(static_cast<uint16_t>(FIRST_PORT + number));
+}
+
 /// Displays are not needed, whatever these say.
 void findDisplays(Findings& findings)
 {
@@ -133,10 +183,7 @@ void findDisplays(Findings& findings)
         findings.push_back({Health::Note, setting + " points nowhere, which does not matter: no window is opened"});
     };
     const std::string x = variable("DISPLAY"), wayland = variable("WAYLAND_DISPLAY");
-    if (x.size() > 1 && x[0] == ':' && std::isdigit(static_cast<unsigned char>(x[1]))) {
-        const std::string number = x.substr(1, x.find('.') == std::string::npos ? x.npos : x.find('.') - 1);
-        if (!fs::exists("/tmp/.X11-unix/X" + number, ignored)) note("DISPLAY=" + x);
-    }
+    if (!x.empty() && !leadsToDisplay(x)) note("DISPLAY=" + x);
     if (wayland.empty()) return;
     const std::string socket = wayland[0] == '/' ? wayland : variable("XDG_RUNTIME_DIR") + "/" + wayland;
     if (!fs::exists(socket, ignored)) note("WAYLAND_DISPLAY=" + wayland);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <unordered_map>
 
@@ -128,6 +129,40 @@ const char* arrangementOf(JointType type)
     return std::array{"at one place", "in a line", "in a plane or in space"}.at(static_cast<size_t>(type));
 }
 
+void addNameWarnings(const Actor& actor, std::vector<std::string>& warnings)
+{
+    std::map<std::string, size_t> known;
+    for (size_t b = 0; b < actor.bodies.size(); ++b) {
+        const auto [first, isNew] = known.emplace(actor.bodies[b].name, b);
+        if (!isNew)
+            warnings.push_back(fmt::format("/bodies/{}/name: body {} is \"{}\", too, so a scene cannot name one of "
+                                           "them alone; rename one",
+                                           b, first->second, first->first));
+    }
+}
+
+void addJointWarnings(const Actor& actor, const World& world, std::vector<std::string>& warnings)
+{
+    for (size_t j = 0; j < actor.joints.size(); ++j) {
+        const ActorJoint& joint = actor.joints[j];
+        const JointType said = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
+        const auto built = std::ranges::find_if(
+            world.joints, [&](const Joint& other) { return other.connects(joint.parent, joint.child); });
+        if (built->type != said) {
+            warnings.push_back(fmt::format("/joints/{}/type: the bodies share particles {}, which makes a {} joint, "
+                                           "not a {} one; that shares particles {}",
+                                           j, arrangementOf(built->type), wordOf(built->type), wordOf(said),
+                                           arrangementOf(said)));
+        } else if (said == JointType::Hinge) {
+            const Vector3f line = built->childSide.frame * Vector3f::UnitX();
+            if (std::abs(line.dot(joint.axis)) < ALONG)
+                warnings.push_back(fmt::format("/joints/{}/axis: the hinge turns about the line of its particles, "
+                                               "({:.2f} {:.2f} {:.2f}), not about this; make it the same",
+                                               j, line.x(), line.y(), line.z()));
+        }
+    }
+}
+
 }  // namespace
 
 void requireConsistent(const std::string& path, const Actor& actor)
@@ -165,27 +200,11 @@ void requireUsable(const std::string& file, const Actor& actor)
     worldOf(file, actor);
 }
 
-std::vector<std::string> jointWarnings(const Actor& actor, const World& world)
+std::vector<std::string> actorWarnings(const Actor& actor, const World& world)
 {
     std::vector<std::string> warnings;
-    for (size_t j = 0; j < actor.joints.size(); ++j) {
-        const ActorJoint& joint = actor.joints[j];
-        const JointType said = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
-        const auto built = std::ranges::find_if(
-            world.joints, [&](const Joint& other) { return other.connects(joint.parent, joint.child); });
-        if (built->type != said) {
-            warnings.push_back(fmt::format("/joints/{}/type: the bodies share particles {}, which makes a {} joint, "
-                                           "not a {} one; that shares particles {}",
-                                           j, arrangementOf(built->type), wordOf(built->type), wordOf(said),
-                                           arrangementOf(said)));
-        } else if (said == JointType::Hinge) {
-            const Vector3f line = built->childSide.frame * Vector3f::UnitX();
-            if (std::abs(line.dot(joint.axis)) < ALONG)
-                warnings.push_back(fmt::format("/joints/{}/axis: the hinge turns about the line of its particles, "
-                                               "({:.2f} {:.2f} {:.2f}), not about this; make it the same",
-                                               j, line.x(), line.y(), line.z()));
-        }
-    }
+    addNameWarnings(actor, warnings);
+    addJointWarnings(actor, world, warnings);
     return warnings;
 }
 

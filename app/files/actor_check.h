@@ -16,14 +16,14 @@ void requireConsistent(const std::string& path, const Actor& actor);
 /// can have.
 World worldOf(const std::string& path, const Actor& actor);
 
-constexpr uint32_t FEWEST_PARTICLES = 12;    ///< Of an actor.
-constexpr double SMALLEST_DIAMETER = 0.001;  ///< Of a scene [m].
+constexpr uint32_t FEWEST_PARTICLES = 12, MOST_PARTICLES = 200000;  ///< Of an actor.
+constexpr double SMALLEST_DIAMETER = 0.001;                         ///< Of a scene [m].
 
 /// Checks that a scene can use what was made of a model. @param file the model's. @throws InputError, std::logic_error.
 void requireUsable(const std::string& file, const Actor& actor);
 
-/// What its joints do otherwise than they say, a line each with its place in the file.
-/// @param world that worldOf() made of the actor.
-std::vector<std::string> jointWarnings(const Actor& actor, const World& world);
+/// What its joints do otherwise than they say, and bodies that scenes cannot tell apart, a line each with its place in
+/// the file. @param world that worldOf() made of the actor.
+std::vector<std::string> actorWarnings(const Actor& actor, const World& world);
 
 }  // namespace knuckle

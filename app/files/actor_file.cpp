@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <system_error>
 
 #include "app/files/actor_check.h"
@@ -105,7 +106,7 @@ ActorJoint readJoint(const JsonFile& file, const Json& json, size_t index, const
     readValue(json["anchor"], joint.anchor);
     readValue(json["axis"], joint.axis);
     readValue(json["sharedParticles"], joint.sharedParticles);
-    joint.limits = readLimits(json["limits"]);
+    joint.limits = readWrittenLimits(json["limits"]);
     joint.strength = readStrength(json);
     // A universal joint is stored as its two hinges.
     const JointType type = joint.type == JointType::Universal ? JointType::Hinge : joint.type;
@@ -121,6 +122,27 @@ ActorJoint readJoint(const JsonFile& file, const Json& json, size_t index, const
                "a universal joint is two, to and from a body with `cross`: true; make the actor anew "
                "with knuckle voxelize");
     return joint;
+}
+
+/// Pairs of bodies, each with the smaller index first.
+std::vector<std::array<uint32_t, 2>> readPairs(const JsonFile& file, size_t bodyCount)
+{
+    std::vector<std::array<uint32_t, 2>> pairs;
+    std::map<std::array<uint32_t, 2>, size_t> places;
+    for (const Json& entry : file.root["neverTouch"]) {
+        const std::string pointer = fmt::format("/neverTouch/{}", pairs.size());
+        std::vector<uint32_t> bodies;
+        readValue(entry, bodies);
+        checkIndices(file, pointer, bodies, bodyCount, "bodies");
+        const auto [lower, upper] = std::ranges::minmax(bodies);
+        if (lower == upper)
+            failAt(file.path, pointer, fmt::format("names body {} twice; name another one, or remove the pair", lower));
+        pairs.push_back({lower, upper});
+        const auto [first, isNew] = places.try_emplace(pairs.back(), pairs.size() - 1);
+        if (!isNew)
+            failAt(file.path, pointer, fmt::format("is the pair of /neverTouch/{} again; remove one", first->second));
+    }
+    return pairs;
 }
 
 constexpr std::array<const char*, 3> CENTERINGS{"never", "whereFar", "always"};  // in the order of Centering
@@ -168,6 +190,8 @@ std::string actorText(const Actor& actor)
     };
     text += "," + listText("bodies", actor.bodies, bodyOf);
     text += "," + listText("joints", actor.joints, jointText);
+    const auto pairText = [](const auto& pair) { return fmt::format("[{}]", fmt::join(pair, ", ")); };
+    if (!actor.filtered.empty()) text += "," + listText("neverTouch", actor.filtered, pairText);
     text += "," + listText("notes", actor.notes, stringText);
     text += "," + listText("particles", actor.particles, vectorText);
     text += "," + listText("outward", actor.outward, vectorText);
@@ -261,6 +285,7 @@ Actor actorOf(JsonFile file)
     for (const Json& joint : root["joints"]) {
         actor.joints.push_back(readJoint(file, joint, actor.joints.size(), actor));
     }
+    actor.filtered = readPairs(file, actor.bodies.size());
     requireConsistent(path, actor);
     requireMasses(path, root, actor);
     actor.skin = readSkin(path, root, actor);

@@ -34,6 +34,7 @@ RunPaths::Place RunPaths::outputAt(const std::string& path)
     const int failed = place.path.empty() ? fstat(place.descriptor, &facts) : stat(place.path.c_str(), &facts);
     result.isStream = place.kind == OutputPlace::Kind::Stream;
     result.exists = failed == 0 && (S_ISREG(facts.st_mode) || S_ISDIR(facts.st_mode));
+    result.keeps = failed == 0 && result.isStream && !S_ISCHR(facts.st_mode);
     result.device = facts.st_dev;
     result.inode = facts.st_ino;
     return result;
@@ -123,6 +124,8 @@ void RunPaths::check() const
                                              folder.given));
         for (size_t k = 0; k < i; ++k) {
             const Place& other = outputs_[k];
+            if (output.keeps && other.keeps && output.device == other.device && output.inode == other.inode)
+                throw InputError(fmt::format("{} would have two outputs mixed; give one of them a file", output.given));
             if (output.isStream && other.isStream) continue;
             for (const auto& [file, inside] : {std::pair{&output, &other}, std::pair{&other, &output}})
                 if (!file->isStream && !file->frames && inside->path.starts_with(file->path + "/"))

@@ -28,6 +28,7 @@ private:
     struct Place {
         std::string given, path;  ///< `path`: absolute, without links.
         bool exists = false, isStream = false;
+        bool keeps = false;  ///< Of a stream: a pipe or a file, no device.
         dev_t device = 0;
         ino_t inode = 0;
         std::optional<FrameNames> frames = {};  ///< Of a folder.

@@ -41,6 +41,13 @@ void requireSameWorld(const StatesFile& states, const Scene& scene)
         throw InputError(fmt::format("{}: has no pressures and densities of fluids, which render.colorBy asks for; "
                                      "choose another, or render the scene",
                                      states.path()));
+    const auto lacks = [&](const char* part) {
+        return !states.blocks().has(frameBlock(states.frames().front(), part));
+    };
+    if ((scene.world.shown.ages && lacks(AGES)) || (scene.world.shown.contactForces && lacks(CONTACT_FORCES)))
+        throw InputError(fmt::format("{}: has no {}, which render.colorBy asks for and only a run that shows them "
+                                     "records; choose another, or render the scene",
+                                     states.path(), scene.world.shown.ages ? "ages" : "forces of contacts"));
     if (clock != scene.clock)
         throw InputError(fmt::format("{}: its frames are of other moments than the scene's: give shots the `from` and "
                                      "`timeScale` of its run, and any camera",

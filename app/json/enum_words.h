@@ -48,7 +48,8 @@ struct EnumWords<Easing> {
 };
 template <>
 struct EnumWords<ColorBy> {
-    static constexpr std::array WORDS{"body", "material", "particle", "speed", "pressure", "density", "strain"};
+    static constexpr std::array WORDS{"body",    "material", "particle", "speed",       "pressure",
+                                      "density", "strain",   "age",      "contactForce"};
 };
 template <>
 struct EnumWords<Palette> {

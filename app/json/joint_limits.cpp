@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "app/json/fields.h"
 #include "sim/base/angles.h"
@@ -14,26 +15,52 @@ namespace knuckle {
 
 namespace {
 
-/// Rounded to a ten-thousandth, the precision of the input.
-double roundedDegrees(float radians)
+float inSinglePrecision(double degrees)
 {
-    return std::round(degreesOf(radians) * 1e4) / 1e4;
+    return radiansOf(static_cast<float>(degrees));
+}
+
+/// Unlike the other one it reaches every angle.
+float inDoublePrecision(double degrees)
+{
+    return static_cast<float>(degrees / 180.0 * std::numbers::pi);
+}
+
+/// With four decimals, or as many as give the same angle again.
+double writtenDegrees(float radians)
+{
+    constexpr double MOST = 1e12;
+    const double exact = degreesOf(radians);
+    for (double scale = 1e4; scale < MOST; scale *= 10.0)
+        if (const double rounded = std::round(exact * scale) / scale; inDoublePrecision(rounded) == radians)
+            return rounded;
+    return exact;
 }
 
 /// The ranges of the fields.
 constexpr std::array RANGES{std::pair{"twist", &JointLimits::twist}, std::pair{"bend", &JointLimits::bend},
                             std::pair{"secondBend", &JointLimits::secondBend}};
 
+JointLimits limitsIn(const Json& json, float (*radians)(double))
+{
+    JointLimits limits;
+    limits.swing = radians(json["swing"]);
+    readValue(json["cone"], limits.cone);
+    for (const auto& [key, range] : RANGES) limits.*range = {radians(json[key][0]), radians(json[key][1])};
+    limits.stiffness = readUnlessZero(json["stiffness"]);
+    return limits;
+}
+
 }  // namespace
 
 JointLimits readLimits(const Json& json)
 {
-    JointLimits limits;
-    limits.swing = radiansOf(json["swing"]);
-    readValue(json["cone"], limits.cone);
-    for (const auto& [key, range] : RANGES) limits.*range = {radiansOf(json[key][0]), radiansOf(json[key][1])};
-    limits.stiffness = readUnlessZero(json["stiffness"]);
-    return limits;
+    return limitsIn(json, inSinglePrecision);
+}
+
+JointLimits readWrittenLimits(const Json& json)
+{
+    return limitsIn(json, inDoublePrecision);
 }
 
 JointStrength readStrength(const Json& json)
@@ -63,9 +90,9 @@ void requireLimits(const std::string& path, const std::string& pointer, const Jo
 
 Json writeLimits(const JointLimits& limits)
 {
-    Json json = {{"swing", roundedDegrees(limits.swing)}, {"cone", writeValue(limits.cone)}};
+    Json json = {{"swing", writtenDegrees(limits.swing)}, {"cone", writeValue(limits.cone)}};
     for (const auto& [key, range] : RANGES)
-        json[key] = {roundedDegrees((limits.*range).lowest), roundedDegrees((limits.*range).highest)};
+        json[key] = {writtenDegrees((limits.*range).lowest), writtenDegrees((limits.*range).highest)};
     json["stiffness"] = std::isinf(limits.stiffness) ? 0.0f : limits.stiffness;
     return json;
 }

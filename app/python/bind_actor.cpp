@@ -2,15 +2,22 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <span>
 
 #include "app/files/actor_check.h"
 #include "app/files/actor_file.h"
+#include "app/files/actor_levels.h"
 #include "app/files/actor_mass.h"
+#include "app/files/assets.h"
 #include "app/files/npz/actor_arrays.h"
 #include "app/json/fields.h"
 #include "app/python/bind.h"
 #include "sim/base/fnv_hash.h"
-#include "sim/rig/bodies/make_actor.h"
+#include "sim/rig/bodies/bone_options.h"
 #include "sim/rig/import/import.h"
 #include "sim/rig/skin/actor_skin.h"
 
@@ -21,7 +28,16 @@ namespace knuckle {
 
 namespace {
 
-std::shared_ptr<Actor> voxelized(const std::filesystem::path& path, uint32_t particles, float diameter, float height)
+uint32_t countOf(const char* name, int64_t particles)
+{
+    if (particles < int64_t{FEWEST_PARTICLES} || particles > int64_t{MOST_PARTICLES})
+        throw InputError(fmt::format("{}: {} is not from {} to {}", name, particles, FEWEST_PARTICLES, MOST_PARTICLES));
+    return static_cast<uint32_t>(particles);
+}
+
+/// An actor for each number of particles, the smallest first.
+std::vector<std::shared_ptr<Actor>> voxelized(const std::string& path, std::span<const uint32_t> particles,
+                                              float diameter, float height)
 {
     ImportOptions options;
     options.fit.height = height;
@@ -29,13 +45,40 @@ std::shared_ptr<Actor> voxelized(const std::filesystem::path& path, uint32_t par
     options.surface = true;
     ActorOptions wanted;
     wanted.voxels.diameter = diameter;
-    wanted.particleCount = particles;
-    const Model model = importModel(path.string(), options);
-    auto actor = std::make_shared<Actor>(makeActor(model, wanted));
-    actor->model = {path.string(), options.fit, {}};
-    requireUsable(path.string(), *actor);
-    actor->skin = makeActorSkin(*actor, model);
-    return actor;
+    const Model model = importModel(path, options);
+    const Figure figure = readFigure(model, rolesWanted(model, wanted.articulation));
+    std::vector<std::shared_ptr<Actor>> actors;
+    for (Actor& actor : actorsOfLevels(path, figure, particles, wanted)) {
+        actor.model = {path, options.fit, {}};
+        actor.skin = makeActorSkin(actor, model);
+        actors.push_back(std::make_shared<Actor>(std::move(actor)));
+    }
+    return actors;
+}
+
+/// One actor, or a list of one for each of the levels.
+py::object voxelizeOnce(const std::filesystem::path& model, int64_t particles, float diameter, float height,
+                        const std::optional<std::vector<int64_t>>& levels)
+{
+    const std::string path = findAsset(model.string());
+    if (levels && (particles != 0 || diameter != 0.0f))
+        throw InputError("levels: stand for particles and diameter; leave those out");
+    if (particles != 0 && diameter != 0.0f) throw InputError("particles: excludes diameter; leave one of them out");
+    if (!(diameter >= 0.0f && std::isfinite(diameter)))
+        throw InputError(fmt::format("diameter: {} is no length above 0 m", diameter));
+    if (!levels) {
+        const uint32_t count = particles == 0 ? 0 : countOf("particles", particles);
+        return py::cast(voxelized(path, std::array{count}, diameter, height).front());
+    }
+    if (levels->empty()) throw InputError("levels: is empty; give a number of particles for each actor");
+    std::set<uint32_t> sorted;
+    for (const int64_t level : *levels) sorted.insert(countOf("levels", level));
+    const auto actors = voxelized(path, std::vector<uint32_t>(sorted.begin(), sorted.end()), diameter, height);
+    py::list list;
+    for (const int64_t level : *levels)
+        list.append(
+            actors[static_cast<size_t>(std::distance(sorted.begin(), sorted.find(static_cast<uint32_t>(level))))]);
+    return list;
 }
 
 py::object bytesFile(const py::object& bytes)
@@ -54,10 +97,15 @@ py::dict arraysOfActor(const Actor& actor)
 
 std::shared_ptr<Actor> actorOfArrays(const py::dict& arrays)
 {
-    const py::object file = bytesFile(py::bytes());
-    py::module_::import("numpy").attr("savez")(file, **arrays);
-    const std::string bytes = file.attr("getvalue")().cast<py::bytes>();
-    return std::make_shared<Actor>(actorOf({"actor", documentOf(readZip(bytes, "actor"), "actor")}));
+    ZipEntries entries;
+    for (const auto& [name, array] : arrays) {
+        if (!py::isinstance<py::str>(name)) throw InputError(fmt::format("actor: has the key {}, no text", said(name)));
+        requireUnmasked(array, fmt::format("actor: /{}", name.cast<std::string>()));
+        const py::object file = bytesFile(py::bytes());
+        py::module_::import("numpy").attr("save")(file, array);
+        entries.emplace_back(name.cast<std::string>() + ".npy", file.attr("getvalue")().cast<py::bytes>());
+    }
+    return std::make_shared<Actor>(actorOf({"actor", documentOf(entries, "actor")}));
 }
 
 /// The weights as two arrays, [n, 4].
@@ -118,14 +166,9 @@ std::string temporaryFile(const Actor& actor)
 
 }  // namespace
 
-py::object fileOfActor()
+std::string fileOfActor(const py::handle& value)
 {
-    return py::cpp_function([](const py::object& value) {
-        if (!py::isinstance<Actor>(value))
-            throw py::type_error("a scene has no values of the type " +
-                                 py::str(py::type::of(value)).cast<std::string>());
-        return temporaryFile(value.cast<const Actor&>());
-    });
+    return py::isinstance<Actor>(value) ? temporaryFile(value.cast<const Actor&>()) : std::string{};
 }
 
 void bindActor(py::module_& module)
@@ -168,10 +211,12 @@ void bindActor(py::module_& module)
             return fmt::format("<knuckle.Actor '{}': {} particles of {:.3g} m, {} bodies, {} joints>", actor.name,
                                actor.particles.size(), actor.diameter, actor.bodies.size(), actor.joints.size());
         });
-    module.def("voxelize", &voxelized, "model"_a, "particles"_a = 0, "diameter"_a = 0.0f, "height"_a = 0.0f,
+    module.def("voxelize", &voxelizeOnce, "model"_a, "particles"_a = 0, "diameter"_a = 0.0f, "height"_a = 0.0f,
+               "levels"_a = py::none(),
                "Fills a rigged model (glTF, FBX, Collada, BVH ...) with particles. `particles`: as many as this, or "
                "nearly; or `diameter` [m]; else limbs are two to three particles thick. `height` of the figure [m]; 0: "
-               "as the file says.");
+               "as the file says. `levels`, as [300, 1000, 4000]: a list of actors of so many particles each, all with "
+               "the bodies and joints of the coarsest, by the same numbers.");
     module.def(
         "load_actor", [](const std::filesystem::path& path) { return std::make_shared<Actor>(readActor(path)); },
         "path"_a, "Reads an actor file, .json or .npz.");

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "app/python/bind.h"
 #include "app/python/session.h"
@@ -19,17 +20,22 @@ namespace {
 template <int COUNT>
 Eigen::Matrix<float, COUNT, 1> numbersOf(const py::handle& value, const char* name)
 {
-    const auto array = py::array_t<float, py::array::c_style | py::array::forcecast>::ensure(value);
-    if (!array) PyErr_Clear();
-    if (!array || array.size() != COUNT || array.ndim() != 1)
-        throw InputError(
-            fmt::format("{} must be {} numbers, not {}", name, COUNT, py::repr(value).cast<std::string>()));
-    return Eigen::Map<const Eigen::Matrix<float, COUNT, 1>>(array.data());
+    using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+    requireUnmasked(value, name);
+    const py::array given = py::array::ensure(value);
+    // NumPy would also make numbers of texts and dates, and leave out what is imaginary.
+    const bool fits = given && given.ndim() == 1 && given.size() == COUNT &&
+                      std::string_view("biufO").find(given.dtype().kind()) != std::string_view::npos;
+    const Numbers numbers = fits ? Numbers::ensure(given) : Numbers();
+    PyErr_Clear();
+    if (!fits || numbers.size() != COUNT)
+        throw InputError(fmt::format("{} must be {} numbers, not {}", name, COUNT, said(value)));
+    return Eigen::Map<const Eigen::Matrix<double, COUNT, 1>>(numbers.data()).template cast<float>();
 }
 
 Vector3f vectorOf(const py::handle& value, const char* name)
 {
-    return value.is_none() ? Vector3f(0, 0, 0) : Vector3f(numbersOf<3>(value, name));
+    return Vector3f(numbersOf<3>(value, name));
 }
 
 std::optional<Vector3f> placeOf(const py::handle& value)
@@ -93,13 +99,14 @@ py::dict contactsOf(Session& session)
 
 }  // namespace
 
-void bindChanges(py::class_<Session>& simulation)
+void bindChanges(SessionClass& simulation)
 {
     simulation
         .def(
             "set_velocity",
             [](Session& s, const std::string& name, const py::object& velocity, const py::object& spin) {
-                s.setVelocity(name, vectorOf(velocity, "velocity"), vectorOf(spin, "angular_velocity"));
+                s.setVelocity(name, vectorOf(velocity, "velocity"),
+                              spin.is_none() ? Vector3f(0, 0, 0) : vectorOf(spin, "angular_velocity"));
             },
             "name"_a, "velocity"_a, "angular_velocity"_a = py::none(),
             "Of an object or a body, 'object/body' [m/s], [rad/s]. Several bodies of an object move as one about the "

@@ -6,6 +6,7 @@
 #include "render/output/film_kinds.h"
 #include "render/output/frame_sink.h"
 #include "sim/base/errors.h"
+#include "sim/base/files/endings.h"
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -22,6 +23,14 @@ public:
     {
         if (!(framesPerSecond > 0.0 && framesPerSecond <= 480.0))
             throw InputError(fmt::format("fps must be above 0, at most 480; it is {}", framesPerSecond));
+        // Pictures have 8 bits, and EXR has light.
+        const std::string ending = endingOf(path_);
+        const bool frames = path_.ends_with('/') || ending.empty() || std::filesystem::is_directory(path) ||
+                            (FrameNames::areGivenBy(path_) && ending != ".exr");
+        if (!frames && filmKindOf(path_) == nullptr)
+            throw InputError(fmt::format("{}: films are written as {}, frames as name_####.png, or into a folder "
+                                         "without an ending",
+                                         path_, choiceOf(FILM_ENDINGS)));
     }
 
     /// @param picture uint8 [height, width, 3 or 4]; alpha does not count.

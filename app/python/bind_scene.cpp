@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "app/files/assets.h"
 #include "app/json/json.h"
 #include "app/python/bind.h"
 #include "app/scene/scene_file.h"
+#include "sim/base/errors.h"
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -15,19 +17,23 @@ namespace {
 std::vector<Override> overridesOf(const py::dict& changes)
 {
     std::vector<Override> overrides;
-    for (const auto& [path, value] : changes)
-        overrides.push_back({path.cast<std::string>(), Json::parse(jsonText(value))});
+    for (const auto& [path, value] : changes) {
+        if (!py::isinstance<py::str>(path))
+            throw InputError(fmt::format("changes: {} is no path, as \"solver.substeps\" is one", said(path)));
+        const auto name = path.cast<std::string>();
+        overrides.push_back({name, jsonOf(value, "changes: " + name, fileOfActor)});
+    }
     return overrides;
 }
 
 std::shared_ptr<Scene> loadFile(const std::filesystem::path& path, const py::dict& changes)
 {
-    return std::make_shared<Scene>(loadScene(path.string(), overridesOf(changes), true));
+    return std::make_shared<Scene>(loadScene(findAsset(path.string()), overridesOf(changes), true));
 }
 
 std::shared_ptr<Scene> loadDict(const py::dict& document, const py::dict& changes, const std::filesystem::path& folder)
 {
-    Json json = Json::parse(jsonText(document, fileOfActor()));
+    Json json = jsonOf(document, "scene", fileOfActor);
     for (const Override& change : overridesOf(changes)) applyOverride(json, change);
     return std::make_shared<Scene>(loadStoredScene((folder / "scene").string(), json.dump()));
 }
@@ -48,10 +54,10 @@ void bindScene(py::module_& module)
         .def_static("load", &loadFile, "path"_a, "changes"_a = py::dict(),
                     "Reads a scene file. `changes`: fields by their path, as in {'solver.substeps': 8}.\n\n"
                     "Raises InputError with the file and the JSON pointer of what is wrong.")
-        .def_static("load", &loadDict, "document"_a, "changes"_a = py::dict(), "folder"_a = ".",
-                    "The same for a dict with the fields of a scene file; `folder` is where files that it names lie. "
-                    "The `file` "
-                    "of an object may be an Actor.")
+        .def_static(
+            "load", &loadDict, "document"_a, "changes"_a = py::dict(), "folder"_a = ".",
+            "The same for a dict with the fields of a scene file, arrays of NumPy among them; `folder` is where "
+            "files that it names lie. The `file` of an object may be an Actor.")
         .def_readonly("name", &Scene::name)
         .def_readonly("description", &Scene::description)
         .def_readonly("duration", &Scene::duration, "Of its film [s].")

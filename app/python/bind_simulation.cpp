@@ -7,6 +7,7 @@
 #include "app/python/bind.h"
 #include "app/python/session.h"
 #include "app/scene/joints/scene_joints.h"
+#include "sim/base/errors.h"
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -77,23 +78,48 @@ py::dict measuresOf(Session& session)
                     "max_speed"_a = m.maxSpeed, "kinetic_energy"_a = m.kineticEnergy);
 }
 
-std::unique_ptr<Session> simulationOf(std::shared_ptr<Scene> scene, const std::string& device,
-                                      std::optional<uint32_t> seed)
+SessionHolder simulationOf(std::shared_ptr<Scene> scene, const std::string& device, std::optional<int64_t> seed)
 {
+    endLeftSessions();
     if (seed) {
         Json document = Json::parse(scene->document);
         document["seed"] = *seed;
         scene = std::make_shared<Scene>(loadStoredScene(scene->file, document.dump()));
     }
-    return std::make_unique<Session>(std::move(scene), device);
+    return SessionHolder(new Session(std::move(scene), device));
 }
 
-py::array_t<uint8_t> renderOf(Session& session, std::array<uint32_t, 2> size, const py::object& camera,
+/// Looks for Ctrl-C now and then, which waits for the end of what runs in C++.
+void stepOf(Session& session, int64_t count)
+{
+    constexpr int64_t MOST = 8;
+    if (count < 0) throw InputError(fmt::format("count must be 0 or more; it is {}", count));
+    endLeftSessions();
+    do {
+        const int64_t now = std::min(count, MOST);
+        {
+            const py::gil_scoped_release released;
+            session.step(static_cast<uint32_t>(now));
+        }
+        count -= now;
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    } while (count > 0);
+}
+
+PictureWish wishOf(std::array<int64_t, 2> size, const py::object& camera, const std::string& quality = {})
+{
+    for (const int64_t pixels : size)
+        if (pixels < 0 || pixels > std::numeric_limits<uint32_t>::max())
+            throw InputError(fmt::format("size must be a width and a height [pixels]; it is {}, {}", size[0], size[1]));
+    PictureWish wish{static_cast<uint32_t>(size[0]), static_cast<uint32_t>(size[1]), quality, {}};
+    if (!camera.is_none()) wish.camera = jsonOf(camera, "camera").dump();
+    return wish;
+}
+
+py::array_t<uint8_t> renderOf(Session& session, std::array<int64_t, 2> size, const py::object& camera,
                               const std::string& quality)
 {
-    PictureWish wish{size[0], size[1], quality, {}};
-    if (!camera.is_none()) wish.camera = jsonText(camera);
-    const Image image = session.picture(wish);
+    const Image image = session.picture(wishOf(size, camera, quality));
     py::array_t<uint8_t> pixels({py::ssize_t{image.height}, py::ssize_t{image.width}, py::ssize_t{4}});
     uint8_t* out = pixels.mutable_data();
     for (size_t i = 0; i < size_t{image.width} * image.height; ++i) {
@@ -113,11 +139,9 @@ py::dict cameraOf(const Layers& layers)
                     "cy"_a = 0.5 * layers.height, "camera_to_world"_a = matrix);
 }
 
-py::dict layersOf(Session& session, std::array<uint32_t, 2> size, const py::object& camera)
+py::dict layersOf(Session& session, std::array<int64_t, 2> size, const py::object& camera)
 {
-    PictureWish wish{size[0], size[1], {}, {}};
-    if (!camera.is_none()) wish.camera = jsonText(camera);
-    const Layers layers = session.layers(wish);
+    const Layers layers = session.layers(wishOf(size, camera));
     const auto height = static_cast<py::ssize_t>(layers.height), width = static_cast<py::ssize_t>(layers.width);
     py::array_t<float> depth({height, width}), normals({height, width, py::ssize_t{3}}),
         albedo({height, width, py::ssize_t{3}});
@@ -146,18 +170,18 @@ void bindSimulation(py::module_& module)
 {
     py::class_<SessionState, std::shared_ptr<SessionState>>(module, "State", "A state of a simulation, to return to.")
         .def_readonly("steps", &SessionState::steps);
-    py::class_<Session> simulation(
+    SessionClass simulation(
         module, "Simulation",
         "A scene on the device. The same scene, program and driver give the same bits. SI units, +Y "
         "up; particles and bodies are in the order of the scene. All calls must come from the thread "
         "that made it.");
     simulation
-        .def(py::init(&simulationOf), "scene"_a, "device"_a = "auto", "seed"_a = py::none(),
+        .def(py::init(&simulationOf), py::arg("scene").none(false), "device"_a = "auto", "seed"_a = py::none(),
              "`device`: 'auto' (a GPU, else the CPU), 'gpu', 'software' or a number of `knuckle info`; the first "
              "simulation of a thread chooses for all. `seed`: the scene's own `seed` instead; another number, and all "
              "that is "
              "random in it comes out otherwise. Compiles kernels, which takes seconds at first.")
-        .def("step", &Session::step, "count"_a = 1, py::call_guard<py::gil_scoped_release>(),
+        .def("step", &stepOf, "count"_a = 1,
              "Advances by `count` times scene.time_step. Raises RunError for a state that is no longer finite.")
         .def_property_readonly("time", &Session::time, "Since the start [s].")
         .def_property_readonly("steps", &Session::steps, "Since the start.")
@@ -185,11 +209,11 @@ void bindSimulation(py::module_& module)
             "A State, for load_state().")
         .def("load_state", &Session::load, "state"_a,
              "Returns to a State of a simulation of the same scene; steps from there give the same bits.")
-        .def("render", &renderOf, "size"_a = std::array<uint32_t, 2>{640, 360}, "camera"_a = py::none(),
+        .def("render", &renderOf, "size"_a = std::array<int64_t, 2>{640, 360}, "camera"_a = py::none(),
              "quality"_a = "",
              "A picture, uint8 [height, width, 4]. `camera`: a dict with the fields of a scene's camera, else the "
              "scene's shots; `quality`: 'draft', 'good' or 'final', else the scene's.")
-        .def("layers", &layersOf, "size"_a = std::array<uint32_t, 2>{640, 360}, "camera"_a = py::none(),
+        .def("layers", &layersOf, "size"_a = std::array<int64_t, 2>{640, 360}, "camera"_a = py::none(),
              "What each pixel of a picture shows, a dict of arrays [height, width]: float32 'depth' along the camera's "
              "axis [m] (infinity: nothing), 'normals' in the world and 'albedo' [height, width, 3]; uint32 'object', "
              "'body', 'material', 'particle', 'collider', each an index and 1 (0: none); 'objects', names; 'camera', a "

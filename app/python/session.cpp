@@ -1,6 +1,8 @@
 #include "app/python/session.h"
 
 #include "app/json/json.h"
+#include "sim/base/errors.h"
+#include "sim/world/fingerprint/fingerprint.h"
 
 namespace knuckle {
 
@@ -25,6 +27,25 @@ T& rendererOf(std::map<PictureWish, std::unique_ptr<T>>& renderers, const Pictur
 Session::Session(std::shared_ptr<const Scene> scene, const std::string& device)
     : scene_(std::move(scene)), solver_(scene_->world, device), things_(scene_->world)
 {
+}
+
+uint64_t Session::worldMark()
+{
+    if (!worldMark_) worldMark_ = fingerprint(scene_->world);
+    return *worldMark_;
+}
+
+SessionState Session::save()
+{
+    return {solver_.steps(), worldMark(), solver_.here().saveState()};
+}
+
+void Session::load(const SessionState& state)
+{
+    solver_.here();
+    if (state.world != worldMark())
+        throw InputError("the state is of another scene, or of another seed; load one that this scene's saved");
+    solver_.load(state.solver, state.steps);
 }
 
 RenderSettings Session::settingsFor(const PictureWish& wish) const

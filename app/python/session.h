@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "app/python/session_end.h"
 #include "app/scene/scene_file.h"
 #include "render/layers/layer_renderer.h"
 #include "render/layers/scene_things.h"
@@ -31,6 +32,7 @@ struct PictureWish {
 /// A state of a Session, to return to.
 struct SessionState {
     uint64_t steps = 0;
+    uint64_t world = 0;  ///< Its fingerprint.
     SolverState solver;
 };
 
@@ -52,13 +54,14 @@ public:
     std::vector<BodyState> bodies() { return solver_.here().readBodies(); }
     Measures measure() { return solver_.here().measure(); }
     uint64_t hash() { return solver_.here().stateHash(); }
-    SessionState save() { return {solver_.steps(), solver_.here().saveState()}; }
-    /// @throws std::logic_error if it is of another scene.
-    void load(const SessionState& state) { solver_.load(state.solver, state.steps); }
+    SessionState save();
+    /// @throws InputError if it is of another world.
+    void load(const SessionState& state);
     Image picture(const PictureWish& wish);
     /// Pictures as numbers; the quality does not count. What moves from frame to frame is not known.
     Layers layers(const PictureWish& wish);
     const SceneThings& things() const { return things_; }
+    const std::shared_ptr<SessionEnds>& ends() const { return ends_; }
 
     // Changes before the next step. Names are "object", or "object/body"; @throws InputError for names that are not
     // there, numbers that are not finite, and what is held or follows a clip.
@@ -76,9 +79,12 @@ public:
 
 private:
     RenderSettings settingsFor(const PictureWish& wish) const;
+    uint64_t worldMark();
 
     std::shared_ptr<const Scene> scene_;
     SteppedSolver solver_;
+    std::shared_ptr<SessionEnds> ends_ = sessionEnds();
+    std::optional<uint64_t> worldMark_;  ///< Fingerprint of its world, once it was asked for.
     SceneThings things_;
     std::map<PictureWish, std::unique_ptr<Renderer>> renderers_;            ///< MOST_RENDERERS at most.
     std::map<PictureWish, std::unique_ptr<LayerRenderer>> layerRenderers_;  ///< The same.

@@ -11,6 +11,8 @@ namespace knuckle {
 
 namespace {
 
+using Status = ReportEntry::Status;
+
 /// A cell with a picture, or an empty one.
 void writePicture(OutputFile& file, const ReportEntry& entry, const char* kind, const std::string& png)
 {
@@ -61,7 +63,6 @@ std::string noteList(const std::vector<ReportNote>& notes, const char* kind)
 
 void writeRow(OutputFile& file, const ReportEntry& entry, size_t number)
 {
-    using Status = ReportEntry::Status;
     file.write(fmt::format("<tr id=\"image-{}\" data-status=\"{}\" data-failed=\"{}\">\n", number, entry.statusWord(),
                            entry.failed() ? 1 : 0));
     file.write(

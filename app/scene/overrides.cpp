@@ -38,10 +38,11 @@ std::optional<double> fractionIn(const std::string& text)
 
 Json& childOf(Json& parent, const std::string& key, const Override& change)
 {
-    if (parent.is_null()) parent = Json::object();
+    if (parent.is_null()) parent = key == "-" ? Json::array() : Json::object();
     if (parent.is_object()) return parent[key];
     if (!parent.is_array()) fail(change, fmt::format("there is nothing below \"{}\" to set", key));
     const bool number = !key.empty() && key.size() < 10 && std::all_of(key.begin(), key.end(), ::isdigit);
+    if (key == "-") return parent.emplace_back();  // behind the last, as JSON pointers have it
     if (!number || std::stoul(key) >= parent.size()) {
         fail(change, fmt::format("\"{}\" is not one of the list's {} places; they count from 0", key, parent.size()));
     }

@@ -18,6 +18,7 @@
 #include "app/scene/scene_forces.h"
 #include "app/scene/scene_materials.h"
 #include "app/scene/scene_objects.h"
+#include "render/quantities/color_scale.h"
 #include "sim/base/errors.h"
 #include "sim/base/fnv_hash.h"
 
@@ -164,6 +165,7 @@ Scene sceneOf(const SceneDocument& document, bool drawn)
                         scene.world.settings.substeps));
     for (std::string& limit : softLimits(scene.world)) context.warnings.push_back(std::move(limit));
     scene.render = readPicture(document.file, scene.world, namedParticles(context, scene.world), files);
+    scene.world.shown = keptFor(scene.render);
     scene.files = filesOf(context);
     if (root.contains("start")) {
         scene.start = {files.beside(root["start"]["from"]), root["start"]["frame"]};

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/files/actor_file.h"
+#include "app/files/assets.h"
 #include "app/files/joints_file.h"
 #include "app/scene/scene_limits.h"
 #include "sim/base/files/endings.h"
@@ -28,7 +29,11 @@ ModelSource sourceOf(const Json& object, const std::string& path)
 
 std::string SceneFiles::beside(const std::string& file) const
 {
-    return (std::filesystem::path(scene_).parent_path() / file).lexically_normal().string();
+    std::string path = (std::filesystem::path(scene_).parent_path() / file).lexically_normal().string();
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored)) return path;
+    std::string asset = findAsset(file);
+    return asset == file ? path : asset;
 }
 
 std::string SceneFiles::existing(const std::string& file, const std::string& pointer)

@@ -20,7 +20,8 @@ public:
     /// @param limited whether the solver supports limits of joints.
     SceneFiles(std::string scene, bool limited) : scene_(std::move(scene)), limited_(limited) {}
 
-    /// A path in the scene, relative to the program's working folder.
+    /// A path in the scene, relative to the program's working folder; that of findAsset() if there is nothing, and it
+    /// begins with `assets/`.
     std::string beside(const std::string& file) const;
     /// The same, noted as read. @throws InputError with `pointer` if there is no such file.
     std::string existing(const std::string& file, const std::string& pointer);

@@ -6,6 +6,7 @@
 #include "app/json/json.h"
 #include "app/run/stopwatch.h"
 #include "app/scene/names/named.h"
+#include "app/serve/ball.h"
 #include "app/serve/live_words.h"
 #include "sim/base/errors.h"
 #include "sim/world/fingerprint/fingerprint.h"
@@ -86,6 +87,7 @@ std::string LiveLoop::obey(const Input& input)
         case InputKind::Pick:
         case InputKind::Grab:
         case InputKind::Throw: return touch(input);
+        case InputKind::Ball: throwBall(input.at, input.factor); break;
         case InputKind::Drag: drag(input.at); break;
         case InputKind::Drop: hand().drop(); break;
         case InputKind::Push: push(input); break;
@@ -146,6 +148,24 @@ void LiveLoop::throwAway(const Picked& picked, float speed)
     const Eigen::Vector3f away = (picked.place - seenFrom().position()).normalized();
     const auto size = speed * static_cast<float>(hand().massOf(picked.body));
     change({.name = picked.name, .impulse = size * away, .at = live().solver().readBodies().at(picked.body).position});
+}
+
+bool LiveLoop::hasBall()
+{
+    return std::ranges::find(live().world().objects, BALL, &Object::name) != live().world().objects.end();
+}
+
+/// From where the camera stands, to what is under the mouse.
+void LiveLoop::throwBall(const Eigen::Vector2f& at, float speed)
+{
+    if (!hasBall()) throw InputError("there is no ball; serve the scene with one, as --ball 0.15");
+    const FreeCamera camera = seenFrom();
+    const float depth = 0.1f * (camera.target() - camera.position()).norm();
+    const Eigen::Vector3f along = camera.placeAt(at, depth) - camera.position();
+    change({.kind = ChangeKind::Throw,
+            .name = BALL,
+            .at = camera.position() + along,
+            .velocity = speed * along.normalized()});
 }
 
 void LiveLoop::push(const Input& input)
@@ -261,6 +281,7 @@ void LiveLoop::tellFigures()
                  {"maxSpeed", measures_.maxSpeed},
                  {"energy", measures_.kineticEnergy},
                  {"contacts", measures_.contactCount},
+                 {"hasBall", hasBall()},
                  {"particles", live().world().particles.size()},
                  {"viewers", feed_.viewers.load()},
                  {"fields", wordsOf(live().fields())},

@@ -41,7 +41,9 @@ private:
     void grab(const Picked& picked);
     void drag(const Eigen::Vector2f& at);
     void throwAway(const Picked& picked, float speed);
+    void throwBall(const Eigen::Vector2f& at, float speed);
     void push(const Input& input);
+    bool hasBall();
     void change(const Change& made);
     void reset();
     void restart(const std::vector<std::string>& sets);

@@ -40,6 +40,20 @@ std::vector<gpu::vec4> fromWords(const Words& words)
     return values;
 }
 
+Words toWords(const std::vector<float>& values)
+{
+    Words words;
+    for (const float value : values) words.push_back(std::bit_cast<uint32_t>(value));
+    return words;
+}
+
+std::vector<float> toFloats(const Words& words)
+{
+    std::vector<float> values;
+    for (const uint32_t word : words) values.push_back(std::bit_cast<float>(word));
+    return values;
+}
+
 Words bitsOf(size_t count, const auto& isSet)
 {
     Words words((count + 31) / 32);
@@ -160,6 +174,8 @@ std::vector<std::string> ViewCoding::pack(uint64_t frame, const ViewState& view)
     blocks.push_back(packWords(frame, "torn", bitsOf(view.torn.size(), [&](size_t p) { return view.torn[p]; })));
     if (!view.foamPlaces.empty()) blocks.push_back(packWords(frame, "foam", toWords<4>(view.foamPlaces)));
     if (!view.fluidForms.empty()) blocks.push_back(packWords(frame, "forms", view.fluidForms));
+    if (!view.ages.empty()) blocks.push_back(packWords(frame, AGES, toWords(view.ages)));
+    if (!view.contactForces.empty()) blocks.push_back(packWords(frame, CONTACT_FORCES, toWords(view.contactForces)));
     if (std::ranges::find(view.tornDistances, true) != view.tornDistances.end())
         blocks.push_back(packWords(frame, "tornDistances",
                                    bitsOf(view.tornDistances.size(), [&](size_t i) { return view.tornDistances[i]; })));
@@ -189,6 +205,8 @@ ViewState ViewCoding::unpack(const BlockReader& file, uint64_t frame) const
     if (file.has(frameBlock(frame, "foam")))
         view.foamPlaces = fromWords<4>(file.readArray<uint32_t>(frameBlock(frame, "foam")));
     if (file.has(frameBlock(frame, "forms"))) view.fluidForms = words("forms", particles_);
+    if (file.has(frameBlock(frame, AGES))) view.ages = toFloats(words(AGES, particles_));
+    if (file.has(frameBlock(frame, CONTACT_FORCES))) view.contactForces = toFloats(words(CONTACT_FORCES, particles_));
     if (file.has(frameBlock(frame, "tornDistances"))) {
         const Words bits = file.readArray<uint32_t>(frameBlock(frame, "tornDistances"));
         for (size_t i = 0; i < 32 * bits.size(); ++i) view.tornDistances.push_back(bitOf(bits, i));

@@ -34,6 +34,9 @@ private:
     std::vector<Vector3f> arms_;    ///< Of each particle: from its body's centre at rest [m].
 };
 
+/// Parts of frames of what shows them (World::shown).
+inline constexpr const char *AGES = "ages", *CONTACT_FORCES = "contactForces";
+
 /// "frame 12/positions".
 std::string frameBlock(uint64_t frame, const char* part);
 

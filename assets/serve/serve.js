@@ -59,6 +59,9 @@ function choose(found) {
   $("chosen-name").textContent = chosen;
   tell(chosen ? "" : "nothing that has a name");
 }
+// Where the mouse was last.
+let pointed = [0.5, 0.5];
+const throwBall = () => now.hasBall ? send({ do: "ball", at: pointed, speed: 8 }) : tell("there is no ball here: knuckle serve --ball 0.15");
 const letGo = () => chosen && send({ do: "release", name: chosen });
 
 // A drag turns or moves the camera, with Ctrl it pulls what is under the mouse; without moving it is a click.
@@ -82,6 +85,7 @@ picture.addEventListener("pointerdown", event => {
   }
 });
 picture.addEventListener("pointermove", event => {
+  pointed = placeOf(event);
   if (!drag) return;
   const height = shown().height, x = (event.clientX - drag.x) / height, y = (drag.y - event.clientY) / height;
   drag.x = event.clientX;
@@ -183,13 +187,14 @@ $("run").onclick = toggle;
 $("one").onclick = () => send({ do: "step" });
 $("reset").onclick = () => send({ do: "reset" });
 $("release").onclick = letGo;
+$("ball").onclick = throwBall;
 $("home").onclick = () => send({ do: "home" });
 $("speed").oninput = () => setSpeed(Number($("speed").value));
 $("help-button").onclick = () => $("help").showModal();
 
 const keys = {
   " ": toggle, s: () => send({ do: "step" }), r: () => send({ do: "reset" }), h: () => send({ do: "home" }),
-  l: letGo,
+  l: letGo, b: throwBall,
   "[": () => setSpeed(now.speed - 0.1), "]": () => setSpeed(now.speed + 0.1), "?": () => $("help").showModal(), g: toggleSettings, p: togglePull,
   "+": () => zoom(0.9), "-": () => zoom(1 / 0.9),
   ArrowLeft: () => move("orbit", -0.1, 0), ArrowRight: () => move("orbit", 0.1, 0),
@@ -221,6 +226,7 @@ function show(figures) {
   $("max-speed").textContent = figures.maxSpeed.toFixed(2) + " m/s";
   $("energy").textContent = withPrefix(figures.energy) + "J";
   for (const name of ["contacts", "particles", "viewers"]) $(name).textContent = figures[name];
+  $("ball").hidden = !figures.hasBall;
   $("run").textContent = figures.paused ? "run" : "pause";
   if (document.activeElement !== $("speed")) showSpeed();
   showFields(figures.fields);

@@ -38,7 +38,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libknuckle-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # What its CMake package looks for (cmake/knuckle-config.cmake.in).
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libassimp-dev, libdeflate-dev, libegl-dev, libeigen3-dev, "
-  "libepoxy-dev, libfmt-dev, libmeshoptimizer-dev, libminizip-dev, libstb-dev, libwebp-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev, "
+  "libepoxy-dev, libfmt-dev, libmeshoptimizer-dev, libminizip-dev, libstb-dev, libwebp-dev, nlohmann-json3-dev, pkgconf, zlib1g-dev, "
   ${driver})
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS libgl1-mesa-dri)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "knuckle, cmake")

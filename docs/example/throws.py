@@ -44,4 +44,6 @@ except ImportError:
     sys.exit()
 plt.scatter(*places.T)
 plt.axis("equal")
+plt.xlabel("x [m]")
+plt.ylabel("z [m]")
 plt.savefig("throws.png")

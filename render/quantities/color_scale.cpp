@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,8 @@ const std::array HEAT{Vector3f(0.020f, 0.050f, 0.230f), Vector3f(0.010f, 0.240f,
                       Vector3f(1.000f, 0.850f, 0.640f)};
 
 constexpr float LEAST_PRESSURE = 1000.0f;  // [Pa]
+constexpr float EARTH_GRAVITY = 9.81f;     // [m/s2], for worlds without gravity
+constexpr float LEAST_COLUMN = 10.0f;      // [particles]
 
 std::span<const uint32_t> anchorsOf(Palette palette)
 {
@@ -67,6 +70,22 @@ float startingPressure(const World& world)
     return std::max(density * (high - low), LEAST_PRESSURE);
 }
 
+float startingForce(const World& world)
+{
+    const Vector3f gravity = world.settings.gravity;
+    const float strength = gravity.isZero(0) ? EARTH_GRAVITY : gravity.norm();
+    float low = std::numeric_limits<float>::infinity(), high = -low, mass = 0.0f;
+    for (size_t i = 0; i < world.solidCount(); ++i) {
+        const Particle& p = world.particles[i];
+        if (isFixed(world, p)) continue;
+        const float height = -p.position.dot(gravity) / strength;
+        low = std::min(low, height);
+        high = std::max(high, height);
+        mass = std::max(mass, p.mass);
+    }
+    return mass > 0.0f ? mass * strength * std::max((high - low) / world.diameter(), LEAST_COLUMN) : 1.0f;
+}
+
 }  // namespace
 
 ColorScale colorScaleOf(const World& world, const RenderSettings& settings)
@@ -77,6 +96,8 @@ ColorScale colorScaleOf(const World& world, const RenderSettings& settings)
         case ColorBy::Pressure: scale = {0.0f, startingPressure(world), "pressure", "Pa"}; break;
         case ColorBy::Density: scale = {0.9f, 1.1f, "density over that at rest", ""}; break;
         case ColorBy::Strain: scale = {0.0f, 0.3f, "strain", ""}; break;
+        case ColorBy::Age: scale = {0.0f, 5.0f, "age", "s"}; break;
+        case ColorBy::ContactForce: scale = {0.0f, startingForce(world), "force of contacts", "N"}; break;
         default: break;
     }
     if (settings.colorScale) scale.low = settings.colorScale->x(), scale.high = settings.colorScale->y();

@@ -26,8 +26,13 @@ gpu::vec4 besideOf(const Eigen::Matrix3d& m)
 }  // namespace
 
 QuantityPass::QuantityPass(const Gpu& gpu, BufferTable& table, const World& world, const RenderSettings& settings)
-    : particleCount_(static_cast<uint32_t>(world.particles.size())), isPressure_(settings.colorBy == ColorBy::Pressure)
+    : particleCount_(static_cast<uint32_t>(world.particles.size())), isPressure_(settings.colorBy == ColorBy::Pressure),
+      quantity_(settings.colorBy)
 {
+    if (isKept(quantity_)) {
+        table.add("shownQuantities", kept_, elementType<float>(), Lifetime::Scratch);
+        return;
+    }
     const bool isStrain = settings.colorBy == ColorBy::Strain;
     ofFluids_ = showsFluids(settings);
     const std::vector<float> none(ofFluids_ || isStrain ? particleCount_ : 0, NO_QUANTITY);
@@ -93,6 +98,13 @@ void QuantityPass::addClusters(BufferTable& table, const World& world)
 
 void QuantityPass::attach(const ParticleView& view)
 {
+    if (isKept(quantity_)) {
+        const GLuint kept = quantity_ == ColorBy::Age ? view.ages : view.contactForces;
+        if (kept == 0)
+            throw RunError("render.colorBy: these states have no ages or forces of contacts; render the scene");
+        kept_ = RawBuffer::standIn("shownQuantities", kept, view.particleCount * sizeof(float));
+        return;
+    }
     if (!ofFluids_ || view.particleCount == view.solidCount) return;
     if (view.slotPressures == 0)
         throw RunError("render.colorBy: states on file have no pressures and densities of fluids; render the scene");

@@ -8,7 +8,7 @@
 namespace knuckle {
 
 /// What colours show of each particle, from the solver's own buffers: pressure and density of fluids, strain of soft
-/// bodies. Speeds need no such pass.
+/// bodies; ages and forces of contacts are read as the solver has them. Speeds need no such pass.
 class QuantityPass {
 public:
     /// @param table must have "frame" and "positions"; gets "shownQuantities".
@@ -26,7 +26,9 @@ private:
 
     uint32_t particleCount_ = 0, clusterCount_ = 0;
     bool ofFluids_ = false, isPressure_ = false;
+    ColorBy quantity_;
     Buffer<float> shown_;
+    RawBuffer kept_;  ///< Stands in for the view's ages or forces of contacts.
     RawBuffer particleSlots_, slotParticles_, slotPressures_, slotShapes_, slotCovers_;  ///< Stand in for the view's.
     Buffer<gpu::uvec2> clusters_;                                                        ///< First link, end.
     Buffer<gpu::vec4> moments_, links_;     ///< As of quantity_cluster.comp.

@@ -21,7 +21,10 @@ const Vector3f NO_QUANTITY_COLOR = Vector3f::Constant(NO_QUANTITY_GREY);
 
 bool hasQuantity(const World& world, uint32_t particle, ColorBy quantity)
 {
-    if (quantity != ColorBy::Strain) return particle >= world.particles.size() - world.fluidCount;
+    if (quantity == ColorBy::Age) return true;
+    const bool isFluid = particle >= world.particles.size() - world.fluidCount;
+    if (quantity == ColorBy::ContactForce) return !isFluid;
+    if (quantity != ColorBy::Strain) return isFluid;
     return std::ranges::any_of(
         world.softBodies, [&](const SoftBody& soft) { return particle - soft.particleStart < soft.particleCount; });
 }
@@ -33,7 +36,10 @@ uint32_t colorWord(const World& world, uint32_t index, const RenderSettings& set
         case ColorBy::Speed: return 0;
         case ColorBy::Pressure:
         case ColorBy::Density:
-        case ColorBy::Strain: return hasQuantity(world, index, settings.colorBy) ? 0 : packColor(NO_QUANTITY_COLOR);
+        case ColorBy::Strain:
+        case ColorBy::Age:
+        case ColorBy::ContactForce:
+            return hasQuantity(world, index, settings.colorBy) ? 0 : packColor(NO_QUANTITY_COLOR);
         case ColorBy::Material: return packColor(world.materials[particle.material].color);
         case ColorBy::Particle: return packColor(paletteColor(index));
         case ColorBy::Body: break;

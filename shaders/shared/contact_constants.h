@@ -46,6 +46,12 @@
 // From the place of a plane to its farthest point that matters, for the effect of its turns [m].
 #define PLANE_REACH 1000.0f
 
+// restitutionSizes[]: work groups of contacts, of those with colliders, of movers.
+#define RESTITUTION_PAIRS_SIZE 0
+#define RESTITUTION_COLLIDER_PAIRS_SIZE 1
+#define RESTITUTION_MOVERS_SIZE 2
+#define RESTITUTION_SIZES 3
+
 // moverMoves[].w of a body that was let go in this substep, until its contacts are summed.
 #define JUST_LET_GO (-1.0)
 

@@ -14,10 +14,14 @@
 #define ROOT_FACTOR_TEXELS 6       // the same for a body that nothing holds
 // Of each joint that closes a loop.
 #define LOOP_FACTOR_TEXELS 10      // how its ends move apart
+#define LOOP_SEARCH_TEXELS 8       // where the search for its force is
 // Of each geared hinge.
 #define GEAR_STATE_TEXELS 2        // how far it is off its train, its torque; sums over its train
 // Of each body.
 #define BODY_LOAD_TEXELS 4         // what acts on a body with joints
 #define BODY_RESPONSE_TEXELS 9     // its motion for a force, with what its joints move along
+
+// Rounds in which an iteration looks for the forces of a tree's loops, at most.
+#define MOST_LOOP_ROUNDS 64u
 
 #endif

@@ -4,8 +4,9 @@
 
 // Most bodies that a body of a stack may touch.
 #define STACK_TOUCHES 8u
-// Fewest bodies of a stack.
+// Fewest and most bodies of a stack.
 #define LEAST_STACK 6u
+#define MOST_STACK 512u
 // Bodies whose particles are nearer than this touch; those of a stack have sunk into others no further [diameters].
 #define TOUCHING 1e-3f
 #define MOST_OVERLAP 0.005f
@@ -16,6 +17,11 @@
 
 // stackParents[].x of the body that a stack hangs on; NO_INDEX for movers that are in no stack.
 #define STACK_ROOT 0xfffffffeu
+
+// Rounds of loops in which a thread of stack_trees looks for trees and rings, and what a body may take of them in one
+// round: a driver leaves loops after 65535 (DeviceLimits::loopRounds), and a GPU stops kernels that take long.
+#define STACK_TURNS 40000u
+#define BODY_TURNS (2u * STACK_TOUCHES + 2u)
 
 // stackSizes[]: work groups of stacks and of their bodies; w: how many.
 #define STACKS_SIZE 0

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -56,14 +57,30 @@ private:
     std::exception_ptr failure_;
 };
 
-void workBeside(Work& work, const Gpu& gpu)
+using Contexts = std::vector<std::unique_ptr<Gpu>>;
+
+/// As many contexts beside `gpu`'s as can be had, at most `count`. `gpu`'s stays current.
+Contexts contextsBeside(const Gpu& gpu, size_t count)
+{
+    Contexts contexts;
+    try {
+        while (contexts.size() < count) contexts.push_back(Gpu::sharingWith(gpu));
+    } catch (const std::exception&) {
+        // There is no further context: the others do its part.
+    }
+    gpu.enter();
+    return contexts;
+}
+
+void workBeside(Work& work, const Gpu& own)
 {
     try {
-        const auto own = Gpu::sharingWith(gpu);
-        work.takeAll(*own);
+        own.enter();
+        work.takeAll(own);
         glFinish();  // before another context uses what was made
+        own.leave();
     } catch (const std::exception&) {
-        // There is no second context: the others do its part.
+        // The driver refuses: the others do its part.
     }
 }
 
@@ -73,10 +90,11 @@ void makeOnAllCores(const Gpu& gpu, size_t count, const std::function<void(size_
 {
     Work work(count, make);
     const size_t wanted = std::min({size_t{usableCores()}, count, MOST_THREADS});
+    // Made here and ended here, while no other thread uses GL: drivers are least tried there.
+    const Contexts others = contextsBeside(gpu, wanted > 1 && !addressSpaceLimit() ? wanted - 1 : 0);
     std::vector<std::thread> threads;
     try {
-        if (!addressSpaceLimit())
-            while (threads.size() + 1 < wanted) threads.emplace_back([&] { workBeside(work, gpu); });
+        for (const auto& own : others) threads.emplace_back([&] { workBeside(work, *own); });
     } catch (const std::system_error&) {
         // No more threads are allowed: those that run do it.
     }

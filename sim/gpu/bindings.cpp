@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <mutex>
 
 #include "sim/base/errors.h"
 
@@ -26,15 +25,6 @@ GLint property(GLuint program, GLenum interface, GLuint index, GLenum asked)
     GLint value = 0;
     glGetProgramResourceiv(program, interface, index, 1, &asked, 1, nullptr, &value);
     return value;
-}
-
-GLenum texelFormat(uint32_t bytes, bool isUnsigned)
-{
-    switch (bytes) {
-        case 4: return isUnsigned ? GL_R32UI : GL_R32F;
-        case 8: return isUnsigned ? GL_RG32UI : GL_RG32F;
-        default: return isUnsigned ? GL_RGBA32UI : GL_RGBA32F;
-    }
 }
 
 std::string lowercaseFirst(std::string name)
@@ -93,12 +83,6 @@ Bindings::Bindings(const Program& program, const BufferTable& table, const std::
     findUniforms(table, user);
     findSamplers(table, user);
     findImages(table, user);
-    // Kernels of one table may be made on several threads.
-    static std::mutex mutex;
-    const std::lock_guard lock(mutex);
-    for (const Sampled& sampled : images_) sampled.buffer->texture(sampled.format);
-    for (const Sampled& sampled : samplers_)
-        if (sampled.buffer != nullptr) sampled.buffer->texture(sampled.format);
 }
 
 /// Names of blocks begin with a capital in shaders; names in the table do not.
@@ -153,7 +137,7 @@ void Bindings::findSamplers(const BufferTable& table, const std::string& user)
         if (isFloat != (entry.element.scalar == Scalar::Float))
             throw DeviceError(fmt::format("{} declares \"{}\" as a {}, which the host's buffer does not hold", user,
                                           sampler, isFloat ? "samplerBuffer" : "usamplerBuffer"));
-        samplers_.push_back({entry.buffer, texelFormat(entry.element.texelBytes, !isFloat)});
+        samplers_.push_back({entry.buffer, texelFormat(entry.element), nullptr, entry.element.texelBytes});
     }
 }
 
@@ -170,8 +154,24 @@ void Bindings::findImages(const BufferTable& table, const std::string& user)
                                           user, image, isFloat ? "an" : "an unsigned"));
         glProgramUniform1i(program_, property(program_, GL_UNIFORM, i, GL_LOCATION),
                            static_cast<GLint>(images_.size()));
-        images_.push_back({entry.buffer, texelFormat(entry.element.texelBytes, !isFloat)});
+        images_.push_back({entry.buffer, texelFormat(entry.element), nullptr, entry.element.texelBytes});
     }
+}
+
+void Bindings::checkSizes(const Gpu& gpu, const std::string& user) const
+{
+    const auto check = [&](const RawBuffer& buffer, uint64_t limit) {
+        if (buffer.bytes() > limit)
+            throw DeviceError(
+                fmt::format("{}: {} needs {} MiB for \"{}\" and the device allows {}; use fewer particles "
+                            "or another --device",
+                            gpu.device().name, user, buffer.bytes() >> 20, buffer.label(), limit >> 20));
+    };
+    for (const RawBuffer* buffer : storage_) check(*buffer, static_cast<uint64_t>(gpu.limits().storageBlockSize));
+    for (const std::vector<Sampled>* list : {&samplers_, &images_})
+        for (const Sampled& sampled : *list)
+            if (sampled.buffer != nullptr)
+                check(*sampled.buffer, static_cast<uint64_t>(gpu.limits().textureBufferSize) * sampled.texelBytes);
 }
 
 void Bindings::bind() const

@@ -25,6 +25,8 @@ public:
     size_t storageCount() const { return storage_.size(); }
     size_t textureCount() const { return samplers_.size(); }
     size_t imageCount() const { return images_.size(); }
+    /// @param user names the kernel or pass. @throws DeviceError for a buffer that the device cannot bind as a whole.
+    void checkSizes(const Gpu& gpu, const std::string& user) const;
     /// Binds all for the next dispatch or draw call.
     void bind() const;
 
@@ -33,6 +35,7 @@ private:
         const RawBuffer* buffer = nullptr;  ///< Null for a picture.
         GLenum format = GL_R32F;
         const Texture* picture = nullptr;
+        uint32_t texelBytes = 0;  ///< Of a buffer.
     };
     void findStorage(const BufferTable& table, const std::string& user);
     void findUniforms(const BufferTable& table, const std::string& user);

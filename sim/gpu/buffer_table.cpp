@@ -30,6 +30,16 @@ std::string withoutLast(const std::string& name)
 
 }  // namespace
 
+GLenum texelFormat(const ElementType& element)
+{
+    const bool isFloat = element.scalar == ElementType::Scalar::Float;
+    switch (element.texelBytes) {
+        case 4: return isFloat ? GL_R32F : GL_R32UI;
+        case 8: return isFloat ? GL_RG32F : GL_RG32UI;
+        default: return isFloat ? GL_RGBA32F : GL_RGBA32UI;
+    }
+}
+
 void BufferTable::add(const std::string& name, RawBuffer& buffer, ElementType element, Lifetime lifetime)
 {
     if (!entries_.emplace(name, Entry{&buffer, element, lifetime}).second)
@@ -63,6 +73,12 @@ BufferTable BufferTable::only(const std::vector<std::string>& names, const std::
         else part.entries_.insert(*entry);
     }
     return part;
+}
+
+void BufferTable::makeTextures() const
+{
+    for (const auto& [name, entry] : entries_)
+        if (entry.buffer->id() != 0) entry.buffer->texture(texelFormat(entry.element));
 }
 
 BufferState BufferTable::saveState() const

@@ -47,6 +47,9 @@ constexpr ElementType floatStructType()
     return {sizeof(T), elementType<T>().texelBytes, ElementType::Scalar::Float, GL_NONE};
 }
 
+/// The format of the texture of a buffer with such elements: GL_RGBA32F, GL_R32UI, ...
+GLenum texelFormat(const ElementType& element);
+
 /// Contents of the buffers of Lifetime::State in a table, by their names.
 using BufferState = std::map<std::string, std::vector<std::byte>>;
 
@@ -94,6 +97,8 @@ public:
     const Texture& findTexture(const std::string& name, const std::string& user) const;
     /// A table of only the named buffers and textures, for a pass that uses nothing else.
     BufferTable only(const std::vector<std::string>& names, const std::string& user) const;
+    /// Makes the texture of each buffer, which is otherwise made at its first use: before several threads use them.
+    void makeTextures() const;
     /// Stalls until the GPU is done.
     BufferState saveState() const;
     /// Writes nothing if it throws. @throws std::logic_error if the state is not of the same buffers, or of other

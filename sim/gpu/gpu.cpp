@@ -136,6 +136,16 @@ std::unique_ptr<Gpu> Gpu::sharingWith(const Gpu& other)
     return gpu;
 }
 
+void Gpu::enter() const
+{
+    egl::enter(egl_->context);
+}
+
+void Gpu::leave() const
+{
+    egl::leave(egl_->context);
+}
+
 Gpu::~Gpu()
 {
     egl::destroy(egl_->context);
@@ -194,6 +204,7 @@ void Gpu::readLimits()
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limits_.textureBufferSize);
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limits_.textureSize);
     glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &limits_.workGroupCountX);
+    if (device_.software) limits_.loopRounds = 65535;  // LP_MAX_TGSI_LOOP_ITERATIONS
     if (limits_.computeStorageBlocks < 8)
         failOnDevice(fmt::format("{}: {} storage buffers a compute kernel, and 8 are needed (OpenGL 4.3 promises them)",
                                  device_.name, limits_.computeStorageBlocks),

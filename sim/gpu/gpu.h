@@ -39,12 +39,14 @@ struct DeviceLimits {
     int32_t textureBufferSize = 0;  ///< [texels]
     int32_t textureSize = 0;        ///< [pixels]
     int32_t workGroupCountX = 0;
+    /// Of all loops that a thread runs through in a kernel. Mesa's software driver leaves them then, without an error.
+    uint32_t loopRounds = UINT32_MAX;
 };
 
 /// Every EGL device, with a context tried on each. Never throws for a device that cannot be used.
 std::vector<DeviceInfo> listDevices();
 
-/// One headless OpenGL 4.3 core context, current on the thread that made it for as long as it lives.
+/// One headless OpenGL 4.3 core context, current on the thread that made it until that leaves it.
 ///
 /// GL debug messages of high severity become a DeviceError at the next checkErrors().
 class Gpu {
@@ -57,6 +59,11 @@ public:
     /// @throws DeviceError when the driver refuses.
     static std::unique_ptr<Gpu> sharingWith(const Gpu& other);
     ~Gpu();
+    /// Makes it current on this thread, instead of another one. It must not be current on a second thread.
+    /// @throws DeviceError when the driver refuses.
+    void enter() const;
+    /// Leaves this thread without a current context.
+    void leave() const;
     Gpu(const Gpu&) = delete;
     Gpu& operator=(const Gpu&) = delete;
 

@@ -56,6 +56,8 @@ public:
 
     const std::string& name() const { return name_; }
     GLuint program() const { return program_.id(); }
+    /// @throws DeviceError for a buffer that is too large for the device.
+    void checkSizes(const Gpu& gpu) const { bindings_.checkSizes(gpu, "kernel " + name_); }
     void dispatch(KernelTimer& timer, uint32_t groups) const;
     /// Group counts from `arguments` at element `index` of four words each.
     void dispatchIndirect(KernelTimer& timer, const RawBuffer& arguments, uint32_t index) const;

@@ -33,6 +33,9 @@ struct ParticleView {
     GLuint slotShapes = 0;      ///< 2 x vec4: the same.
     GLuint slotCovers = 0;      ///< vec4: w: density over that at rest.
     float pressureUnit = 0.0f;  ///< Of a stored multiplier [Pa].
+    // Of each particle, where World::shown has them, else 0:
+    GLuint ages = 0;           ///< float: time since it came into the scene [s].
+    GLuint contactForces = 0;  ///< float, of solid ones: ShownStage::contactForces [N].
 };
 
 }  // namespace knuckle

@@ -74,9 +74,8 @@ public:
     virtual void upload(const StageSetup& setup) = 0;
     /// When gravity, wind or damping in the parameters are others than in the world: sets what depends on them.
     virtual void adapt(gpu::StepParameters&) {}
-    /// Gives its lists the capacities of the parameters; lists that are state keep their contents. @throws DeviceError,
-    /// with the number, when the device's limits are too small for them.
-    virtual void makeLists(const Gpu&) {}
+    /// Gives its lists the capacities of the parameters; lists that are state keep their contents.
+    virtual void makeLists() {}
     /// After an overflow: raises the parameters to the room that kernels asked for.
     virtual void reserve(gpu::StepParameters&, const gpu::Counters&) const {}
     /// Adds its buffers under the names by which kernels know them.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "shared/constants.h"
+#include "sim/base/errors.h"
 #include "sim/gpu/all_cores.h"
 #include "sim/solver/drive/drive_upload.h"
 #include "sim/solver/fluid/fluid_grid.h"
@@ -111,6 +113,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
     if (FormStage::isNeeded(world)) forms.emplace(setup_);
     if (EmitterStage::isNeeded(world)) emitters.emplace(setup_);
     if (world.settings.solver == SolverKind::Paper) paper.emplace(setup_);
+    if (ShownStage::isNeeded(world)) shown.emplace(setup_);
     std::vector<Stage*> stages = all();
     if (shuffle) shuffle(stages);
     for (Stage* stage : stages) stage->upload(setup_);
@@ -119,7 +122,7 @@ Stages::Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle, const
         parameters.pairCapacity = parameters.colliderPairCapacity = room->pairs;
         parameters.fluidSlots = room->neighbours;
     }
-    for (Stage* stage : stages) stage->makeLists(gpu);
+    for (Stage* stage : stages) stage->makeLists();
     uploadParameters();
     const gpu::uvec4 slots{groupsFor(parameters.particleCount + parameters.fluidFilled), 1, 1, 0};
     dispatches.write(&slots, sizeof slots, DISPATCH_SLOTS * sizeof slots);
@@ -149,6 +152,7 @@ std::vector<Stage*> Stages::all()
     add(forms);
     add(emitters);
     add(paper);
+    add(shown);
     return stages;
 }
 
@@ -190,6 +194,7 @@ Defines Stages::worldDefines() const
 void Stages::load(const std::vector<Stage*>& stages)
 {
     const BufferTable buffers = table();
+    buffers.makeTextures();
     const Defines common = worldDefines();
     std::vector<Stage::Pass*> passes;
     for (const Stage* stage : stages)
@@ -206,6 +211,20 @@ void Stages::load(const std::vector<Stage*>& stages)
         });
         if (gpu.device().software) passes[i]->compile();
     });
+    checkSizes();
+}
+
+void Stages::checkSizes()
+{
+    const uint64_t count = uint64_t{parameters.particleCount} + parameters.fluidCount;
+    const uint64_t most = static_cast<uint64_t>(gpu_.limits().workGroupCountX) * GROUP_SIZE;
+    if (count > most)
+        throw DeviceError(
+            fmt::format("{}: {} particles, and the device allows {} threads; use fewer particles or another "
+                        "--device",
+                        gpu_.device().name, count, most));
+    for (const Stage* stage : all())
+        for (const Stage::Pass* pass : stage->passes()) pass->checkSizes(gpu_);
 }
 
 StagesState Stages::save()
@@ -218,7 +237,7 @@ void Stages::load(const StagesState& state)
     parameters = state.parameters;
     for (Stage* stage : all()) {
         stage->adapt(parameters);
-        stage->makeLists(gpu_);
+        stage->makeLists();
     }
     table().loadState(state.buffers);
 }
@@ -233,7 +252,8 @@ void Stages::surround(const Surroundings& surroundings)
 void Stages::grow(const gpu::Counters& c)
 {
     for (Stage* stage : all()) stage->reserve(parameters, c);
-    for (Stage* stage : all()) stage->makeLists(gpu_);
+    for (Stage* stage : all()) stage->makeLists();
+    checkSizes();
     uploadParameters();
 }
 

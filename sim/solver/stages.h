@@ -26,6 +26,7 @@
 #include "sim/solver/release/release_stage.h"
 #include "sim/solver/restitution/restitution_stage.h"
 #include "sim/solver/search/search_stage.h"
+#include "sim/solver/shown/shown_stage.h"
 #include "sim/solver/sleep/sleep_stage.h"
 #include "sim/solver/soft/soft_stage.h"
 #include "sim/solver/stages_state.h"
@@ -42,15 +43,15 @@ public:
     using Shuffle = std::function<void(std::vector<Stage*>&)>;
 
     /// Uploads the world; compiles nothing yet. @param world must outlive it.
-    /// @throws DeviceError, with the number, when the device's limits are too small for it.
     /// @param room first capacities of lists, for tests: bits do not depend on them.
     Stages(const Gpu& gpu, const World& world, const Shuffle& shuffle = {}, const std::optional<ListRoom>& room = {});
 
-    /// Compiles the kernels of all stages, on all cores. @throws DeviceError.
+    /// Compiles the kernels of all stages, on all cores. @throws DeviceError, with the number, also when the device's
+    /// limits are too small for the world.
     void load() { load(all()); }
     /// Only those of `stateHash`, which is all that a picture of the start needs.
     void loadHash() { load({&stateHash}); }
-    /// Gives every list the room that kernels asked for. Lists keep their contents.
+    /// Gives every list the room that kernels asked for. Lists keep their contents. @throws DeviceError as load().
     void grow(const gpu::Counters& counters);
     /// From the next step on.
     void surround(const Surroundings& surroundings);
@@ -67,6 +68,8 @@ private:
     std::vector<Stage*> all();
     /// Compiles kernels that are not yet compiled.
     void load(const std::vector<Stage*>& stages);
+    /// That the device can bind what the loaded kernels ask for.
+    void checkSizes();
     /// Defines that all kernels of this world are compiled with.
     Defines worldDefines() const;
 
@@ -110,6 +113,7 @@ public:
     std::optional<FormStage> forms;
     std::optional<EmitterStage> emitters;
     std::optional<PaperStage> paper;
+    std::optional<ShownStage> shown;
 };
 
 }  // namespace knuckle

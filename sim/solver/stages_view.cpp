@@ -20,6 +20,8 @@ ParticleView viewOf(const Stages& s, const World& world)
     view.foamCount = s.parameters.foamCapacity;
     if (s.forms) view.fluidForms = s.forms->fluidForms.id();
     if (s.fluids) s.fluids->show(view);
+    if (world.shown.ages) view.ages = s.shown->particleAges.id();
+    if (world.shown.contactForces) view.contactForces = s.shown->contactForces.id();
     if (!s.strands || !canTear(world)) return view;
     view.distanceStates = s.strands->distanceStates.id();
     view.distanceCount = static_cast<uint32_t>(s.strands->distanceStates.size());
@@ -37,6 +39,8 @@ ViewState readViewOf(const Stages& s, const World& world)
     view.colliderPlaces.resize(2 * world.colliders.size());
     if (s.foam) view.foamPlaces = s.foam->foamPlaces.download();
     if (s.forms) view.fluidForms = s.forms->fluidForms.download();
+    if (s.shown) view.ages = s.shown->particleAges.download();
+    if (s.shown) view.contactForces = s.shown->contactForces.download();
     if (!s.strands || !canTear(world)) return view;
     for (const gpu::vec4& state : s.strands->distanceStates.download()) view.tornDistances.push_back(state.z != 0.0f);
     return view;

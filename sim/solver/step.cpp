@@ -27,7 +27,8 @@
 //     gear_solve corrects the torques of gears, and gear_move moves the trees by them;
 //   lets joints tear (joint_tear), and blows weaken what is driven (drive_hit);
 //   ends with velocities and positions (mover_integrate, jointed_integrate), and where materials have restitution,
-//     gives collisions the speeds at which they part (contact_restitution, collider_restitution, mover_restitution);
+//     gives collisions the speeds at which they part (contact_restitution, collider_restitution, mover_restitution),
+//     if there are any (restitution_due);
 //     then looks whether anything has happened that lets go in the next substep (release_*).
 //
 // With Settings::sleepSpeed, assemblies that have been calm for long sleep from the end of a step on (sleep_mover,
@@ -39,6 +40,9 @@
 // points of foam (foam_*), which act on nothing. If there are emitters or drains, fluid particles then leave the
 // pools (emitter_update, pool_order, fluid_emit) or go back to them (fluid_drain). If nothing drives fluids,
 // fluid_energy and fluid_energy_limit check whether their energy has risen.
+//
+// Where pictures show them (World::shown), contact_force adds up what contacts give in each substep, and particle_age
+// says how long each particle has been in the scene.
 //
 // Freezing (Settings::freeze) does the same for each assembly by itself: freeze_mover, freeze_update at the end of a
 // step.
@@ -114,6 +118,7 @@ void impulseSubstep(const Stages& s, const Settings& settings, Recorder& recorde
     if (s.releases) s.releases->noteAfter(recorder);
     if (s.restitution) s.restitution->apply(recorder);
     if (s.releases) s.releases->watch(recorder);
+    if (s.shown) s.shown->addForces(recorder, index == 0);
 }
 
 /// In a world without solid particles.
@@ -139,6 +144,7 @@ void impulseStep(const Stages& s, const Settings& settings, Recorder& recorder)
     // Before fluid comes and goes: slots are those of the step.
     if (s.foam) s.foam->endStep(recorder);
     if (s.forms) s.forms->endStep(recorder);
+    if (s.shown) s.shown->endStep(recorder);
     if (s.emitters) s.emitters->endStep(recorder);
 }
 
@@ -152,6 +158,7 @@ void paperStep(const Stages& s, const Settings& settings, Recorder& recorder)
         s.paper->solve(recorder);
     }
     if (s.sleep) s.sleep->endStep(recorder);
+    if (s.shown) s.shown->endStep(recorder);
 }
 
 }  // namespace

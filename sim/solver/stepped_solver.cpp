@@ -1,5 +1,6 @@
 #include "sim/solver/stepped_solver.h"
 
+#include <atomic>
 #include <stdexcept>
 
 #include "sim/solver/workload.h"
@@ -16,6 +17,14 @@ struct ThreadDevice {
     std::weak_ptr<Gpu> gpu;
     std::string name;
 };
+
+/// Of this thread alone: a std::thread::id is given again when its thread has ended.
+uint64_t threadNumber()
+{
+    static std::atomic<uint64_t> last{0};
+    thread_local const uint64_t number = ++last;
+    return number;
+}
 
 std::shared_ptr<Gpu> deviceOfThread(const std::string& name, const World& world)
 {
@@ -34,13 +43,13 @@ std::shared_ptr<Gpu> deviceOfThread(const std::string& name, const World& world)
 }  // namespace
 
 SteppedSolver::SteppedSolver(const World& world, const std::string& device)
-    : world_(world), gpu_(deviceOfThread(device, world)), solver_(*gpu_, world)
+    : world_(world), gpu_(deviceOfThread(device, world)), solver_(*gpu_, world), thread_(threadNumber())
 {
 }
 
 Solver& SteppedSolver::here()
 {
-    if (std::this_thread::get_id() != thread_)
+    if (threadNumber() != thread_)
         throw std::logic_error("Simulation: called from another thread than the one that made it");
     return solver_;
 }

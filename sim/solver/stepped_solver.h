@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "sim/solver/solver.h"
 
@@ -33,7 +32,7 @@ private:
     std::shared_ptr<Gpu> gpu_;
     Solver solver_;
     uint64_t steps_ = 0;
-    std::thread::id thread_ = std::this_thread::get_id();
+    uint64_t thread_;  ///< The number of that which made it.
 };
 
 }  // namespace knuckle

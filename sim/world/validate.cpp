@@ -240,6 +240,8 @@ void validate(const World& world)
             world.particleRadius);
     requireInput(!world.particles.empty(), "the world has no particles: add an object");
     validateSettings(world.settings);
+    require(world.settings.solver == SolverKind::Impulse || !world.shown.contactForces,
+            "the paper's solver has no forces of contacts to show");
     validateMaterials(world);
     validateParticles(world);
     validateFluids(world);

@@ -166,6 +166,13 @@ struct Release {
     Region region;  ///< Region: contains the centre of one of their particles; box, sphere or capsule.
 };
 
+/// Numbers of each particle that the solver keeps for pictures alone.
+struct ShownQuantities {
+    bool ages = false;           ///< Since it came into the scene.
+    bool contactForces = false;  ///< Not by the paper's solver.
+    bool operator==(const ShownQuantities&) const = default;
+};
+
 struct World {
     float particleRadius = 0.05f;  ///< [m], > 0; the same for all.
     Settings settings;
@@ -198,6 +205,7 @@ struct World {
     /// Rest distance of fluid particles [m], 0.3 ... 0.6 diameters. A fluid particle weighs density * spacing^3.
     float fluidSpacing = 0.05f;
     uint32_t fluidCount = 0;  ///< Fluid particles; they come after all others in `particles`.
+    ShownQuantities shown;
     /// Their pools are the last of the fluid particles, in this order; particles in a pool are inactive.
     std::vector<Emitter> emitters;
     std::vector<Region> drains;  ///< Fluids vanish in them; planes, boxes, spheres, capsules.

@@ -71,8 +71,12 @@ TEST(Scene, TakesThePapersChoicesExceptWhatItSaysItself)
 
 TEST(Scene, TakesOverridesBeforeItIsChecked)
 {
-    const Scene scene = load(ONE_BOX, {parseOverride("render.colorBy=speed"), parseOverride("objects.0.size=[1,1,1]"),
-                                       parseOverride("duration=0.5"), parseOverride("name=other")});
+    const Scene scene = load(
+        ONE_BOX, {parseOverride("render.colorBy=speed"), parseOverride("objects.0.size=[1,1,1]"),
+                  parseOverride("duration=0.5"), parseOverride("name=other"),
+                  parseOverride(R"(colliders.-={"type": "plane"})"), parseOverride("/colliders/0/position=[0,-1,0]")});
+    ASSERT_EQ(scene.world.colliders.size(), 1u);
+    EXPECT_EQ(scene.world.colliders[0].position.y(), -1.0f);
     EXPECT_EQ(scene.render.colorBy, ColorBy::Speed);
     EXPECT_EQ(scene.world.particles.size(), 1000u);
     EXPECT_EQ(scene.frameCount(), 30u);

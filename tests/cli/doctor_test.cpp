@@ -35,7 +35,7 @@ std::string linesWith(const std::string& text, const std::string& word)
 /// A machine that differs from this one by a folder with a program of that name.
 std::string programThat(const test::TempFolder& folder, const std::string& does)
 {
-    std::filesystem::create_directory(folder.path("bin"));
+    std::filesystem::create_directories(folder.path("bin"));
     const std::string program = folder.write("bin/ffmpeg", "#!/bin/sh\n" + does + "\n");
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
     return "PATH=" + folder.path("bin") + ":/bin:/usr/bin";
@@ -67,6 +67,34 @@ TEST_F(Doctor, TellsThatNoDriverIsThere)
     const RunResult library = run({"doctor"}, {.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=" + file}});
     EXPECT_EQ(library.code, 3);
     EXPECT_NE(linesWith(library.out, "WRONG  EGL driver of " + file + ": libEGL_none.so.0"), "") << library.out;
+}
+
+TEST_F(Doctor, TellsThatNoLibraryIsThereAndSoDoesWhatWouldUseIt)
+{
+    // Files that are no libraries, where the loader looks first.
+    const auto hide = [&](const std::string& name) {
+        std::filesystem::create_directories(folder.path(name));
+        return folder.write(name + "/" + name, "");
+    };
+    for (const std::string name : {"libEGL.so.1", "libOpenGL.so.0"}) {
+        std::string folders = std::filesystem::path(hide(name)).parent_path();
+        if (name == "libOpenGL.so.0") folders += ":" + std::filesystem::path(hide("libGL.so.1")).parent_path().string();
+        const std::vector<std::string> environment{"LD_LIBRARY_PATH=" + folders};
+        const RunResult told = run({"doctor"}, {.environment = environment});
+        EXPECT_EQ(told.code, 3) << told.err;
+        EXPECT_NE(linesWith(told.out, "WRONG  library " + name + ": "), "") << told.out;
+        EXPECT_NE(linesWith(told.out, "WRONG  --device software: library " + name), "") << told.out;
+        EXPECT_EQ(linesWith(told.out, "crashed"), "");
+        // One remedy, not two.
+        const std::string devices = linesWith(told.out, "WRONG  devices: ");
+        EXPECT_EQ(devices.find("; install"), devices.rfind("; install")) << devices;
+        const RunResult film = run({"render", scene, "-o", folder.path("frames")}, {.environment = environment});
+        EXPECT_EQ(film.code, 3);
+        EXPECT_TRUE(test::isOneLine(film.err)) << film.err;
+        EXPECT_NE(film.err.find("library " + name), std::string::npos) << film.err;
+        EXPECT_NE(film.err.find("install lib"), std::string::npos) << film.err;
+        EXPECT_NE(film.err.find("`knuckle doctor` says more"), std::string::npos) << film.err;
+    }
 }
 
 TEST_F(Doctor, PrintsJson)
@@ -139,6 +167,10 @@ TEST_F(Doctor, TellsWhatFilmsLack)
     EXPECT_EQ(some.code, 0);
     EXPECT_EQ(linesWith(some.out, "WRONG"), "WRONG  ffmpeg cannot encode VP9: no .webm; install an ffmpeg that has it, "
                                             "or end films in something else\n");
+    const std::string lame = programThat(folder, "echo libmissing.so.1: cannot open shared object file >&2; exit 127");
+    const RunResult broken = run({"doctor"}, {.environment = {lame}});
+    EXPECT_EQ(linesWith(broken.out, "WRONG"), linesWith(broken.out, "WRONG  ffmpeg does not start")) << broken.out;
+    EXPECT_NE(linesWith(broken.out, "libmissing.so.1"), "") << broken.out;
     EXPECT_NE(linesWith(some.out, "bin/ffmpeg encodes H.264, H.265, AV1, GIF, WebP, APNG"), "") << some.out;
 }
 
@@ -154,6 +186,19 @@ TEST_F(Doctor, TellsLimitsThatAreTooLow)
     EXPECT_EQ(linesWith(result.out, "WRONG"), "WRONG  open files: 64 allowed; raise it (ulimit -n 1024)\n");
     EXPECT_NE(linesWith(result.out, "note   shader cache: /dev/null/none cannot be written; set"), "") << result.out;
     EXPECT_NE(linesWith(result.out, "note   DISPLAY=:77 points nowhere"), "") << result.out;
+    for (const std::string display : {"localhost:77.0", "unix:77", "screen"}) {
+        const RunResult nowhere = run({"doctor"}, {.environment = {"DISPLAY=" + display}});
+        EXPECT_EQ(nowhere.code, 0);
+        EXPECT_NE(linesWith(nowhere.out, "note   DISPLAY=" + display + " points nowhere"), "") << nowhere.out;
+    }
+    // The superuser has no limit of processes.
+    const auto alone = [] {
+        const rlimit processes{100, 100};
+        if (setrlimit(RLIMIT_NPROC, &processes) != 0 || (geteuid() == 0 && setuid(64321) != 0)) _exit(99);
+    };
+    const RunResult crowded = run({"doctor"}, {.folder = "/", .inChild = alone});
+    EXPECT_NE(linesWith(crowded.out, "WRONG  processes and threads: 100 allowed; allow more (ulimit -u;"), "")
+        << crowded.out << crowded.err;
     const auto little = [] {
         const rlimit space{rlim_t{150} << 20, rlim_t{150} << 20};
         setrlimit(RLIMIT_AS, &space);
@@ -180,6 +225,14 @@ TEST_F(Doctor, KnowsGpusThatCannotBeUsed)
     EXPECT_EQ(findGpuFiles(folder.path()).at(0).health, Health::Note);
     folder.write("dev/dri/renderD128", "");
     EXPECT_EQ(findGpuFiles(folder.path()).at(0).health, Health::Ok);
+    // Opened, not only looked at: a file that is there, and that nothing answers for.
+    std::filesystem::remove(folder.path("dev/dri/renderD128"));
+    std::filesystem::create_directory(folder.path("dev/dri/renderD128"));
+    const Findings deaf = findGpuFiles(folder.path());
+    EXPECT_EQ(deaf.at(0).health, Health::Note);
+    EXPECT_NE(deaf.at(0).what.find("renderD128 is no GPU"), std::string::npos) << deaf.at(0).what;
+    std::filesystem::remove(folder.path("dev/dri/renderD128"));
+    folder.write("dev/dri/renderD128", "");
     if (geteuid() == 0) return;  // may use all files
     std::filesystem::permissions(folder.path("dev/dri/renderD128"), std::filesystem::perms::none);
     EXPECT_EQ(findGpuFiles(folder.path()).at(0).health, Health::Wrong);

@@ -110,6 +110,35 @@ TEST_F(Failure, ToFindFfmpegSaysWhatToDo)
     EXPECT_TRUE(madeFiles().empty());
 }
 
+TEST_F(Failure, ToStartAThreadIsOneLine)
+{
+    if (geteuid() != 0) GTEST_SKIP() << "of this user other processes count as well";
+    // A user of whom nothing runs, and who may have so many threads.
+    constexpr uid_t NOBODY_ELSE = 64321;
+    std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
+    const auto runWith = [&](rlim_t threads, const std::vector<std::string>& words) {
+        const auto become = [threads] {
+            const rlimit limit{threads, threads};
+            if (setrlimit(RLIMIT_NPROC, &limit) != 0 || setuid(NOBODY_ELSE) != 0) _exit(99);
+        };
+        return run(words, {.environment = {"MESA_SHADER_CACHE_DISABLE=true"}, .inChild = become});
+    };
+    uint32_t refused = 0;
+    const auto expectOneLine = [&](rlim_t threads, const std::vector<std::string>& words) {
+        // Some libraries start threads as they are loaded, and end the program without.
+        if (runWith(threads, {"--version"}).code != 0) return;
+        const RunResult result = runWith(threads, words);
+        if (result.code == 0) return;
+        ++refused;
+        expectError(result, 1,
+                    "the system gives no more threads or processes; allow more (ulimit -u; of a container "
+                    "--pids-limit); `knuckle doctor` says more");
+    };
+    for (rlim_t threads = 1; threads < 9; ++threads) expectOneLine(threads, {"--quiet", "render", "tiny.json"});
+    for (const rlim_t threads : {rlim_t{12}, rlim_t{30}}) expectOneLine(threads, {"serve", "tiny.json", "--port", "0"});
+    EXPECT_GT(refused, 2u);
+}
+
 TEST_F(Failure, OfTheDiskLeavesNothingHalfWritten)
 {
     // A frame of 64 x 36 pixels, its film and 55 particles are all larger than this; reading has no such limit.

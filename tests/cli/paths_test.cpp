@@ -90,6 +90,9 @@ TEST_F(Paths, OfTwoOutputsAreTwo)
     fs::create_symlink("sub", folder.path("same"));
     refused({"-o", "same", "-o", "sub"});
     refused({"-o", "new", "--export", "measures=same/a.csv", "--export", "bodies=sub/a.csv"});
+    const std::string mixed = "would have two outputs mixed; give one of them a file";
+    expectRefused({"render", scene, "-o", "-", "--export", "bodies=-"}, mixed);
+    expectRefused({"render", scene, "--export", "bodies=-", "--export", "measures=/dev/stdout"}, mixed);
     expectRefused({"render", scene, "-o", "a.mp4", "--stats", "./a.mp4/stats.json"},
                   "a.mp4 is to be a file, and ./a.mp4/stats.json to lie in it; give one another name");
     EXPECT_EQ(run({"-q", "render", scene, "-o", "new", "--stats", "new/stats.json"}).code, 0);

@@ -120,6 +120,21 @@ TEST_F(States, DoNotChangeTheRun)
     EXPECT_TRUE(readText(folder.path("a.states")) == readText(folder.path("b.states")));
 }
 
+TEST_F(States, HaveWhatTheRunShowed)
+{
+    record({"--set", "render.colorBy=contactForce"});
+    ASSERT_EQ(run({"render", "--from", "run.states", "-o", "again"}).code, 0);
+    expectSameFiles("run", "again", 4);
+    EXPECT_EQ(run({"render", "--from", "run.states", "-o", "plain", "--set", "render.colorBy=body"}).code, 0);
+    expectError(run({"render", "--from", "run.states", "-o", "ages", "--set", "render.colorBy=age"}), 2,
+                "run.states: has no ages, which render.colorBy asks for and only a run that shows them records; choose "
+                "another, or render the scene");
+    folder.write("after.json", std::string(R"({ "start": { "from": "run.states" },)") + (TINY_SCENE + 1));
+    expectError(run({"check", "after.json", "--set", "render.colorBy=age"}), 2,
+                "after.json: /start/from: run.states has no ages, which /render/colorBy asks for; record it with the "
+                "same, or choose another");
+}
+
 TEST_F(States, AreRefusedInOneLine)
 {
     record();

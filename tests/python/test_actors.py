@@ -33,9 +33,13 @@ def door_arrays():
     }
 
 
-def fallen(actor):
-    """The hash of some steps of it."""
-    scene = {"objects": [{"type": "actor", "file": actor, "position": [0, 0.5, 0]}], "colliders": [{"type": "plane"}]}
+def fallen(actor, diameter=None):
+    """The hash of some steps after it was thrown on its back."""
+    scene = {"colliders": [{"type": "plane"}],
+             "objects": [{"type": "actor", "file": actor, "position": [0, 1.2, 0], "rotation": [180, 0, 0],
+                          "velocity": [0, -6, 0]}]}
+    if diameter:
+        scene["diameter"] = diameter
     simulation = knuckle.Simulation(knuckle.Scene.load(scene), "software")
     simulation.step(20)
     return simulation.hash()
@@ -61,6 +65,25 @@ class Files(unittest.TestCase):
         hashes = {fallen(given) for given in (actor, str(self.folder / "first.json"), str(self.folder / "second.npz"))}
         self.assertEqual(len(hashes), 1)
         self.assertEqual(self.check("first.json")[1].split(": ")[1], self.check("second.npz")[1].split(": ")[1])
+
+    def test_a_file_gives_the_world_that_its_model_gives(self):
+        for name, diameter in (("humanoid", 0.07), ("dog", 0.06)):
+            model = ROOT / f"assets/models/{name}.glb"
+            actor = knuckle.voxelize(model, diameter=diameter)
+            for file in ("actor.json", "actor.npz"):
+                actor.save(self.folder / file)
+                self.assertEqual(fallen(str(self.folder / file), diameter), fallen(str(model), diameter), name)
+
+    def test_bodies_that_never_touch_are_in_both(self):
+        actor = knuckle.voxelize(MODEL, particles=1000)
+        names = [body["name"] for body in actor.bodies]
+        pair = [names.index(f"forearm.{side}") for side in "LR"]
+        for pairs in (np.zeros((0, 2)), [pair]):
+            given = knuckle.Actor({**actor.arrays(), "neverTouch": pairs})
+            np.testing.assert_array_equal(given.arrays()["neverTouch"], pairs)
+            for file in ("actor.json", "actor.npz"):
+                given.save(self.folder / file)
+                np.testing.assert_array_equal(knuckle.load_actor(self.folder / file).arrays()["neverTouch"], pairs)
 
     def test_reads_what_numpy_writes(self):
         knuckle.voxelize(MODEL, particles=300).save(self.folder / "own.npz")
@@ -90,7 +113,7 @@ class Files(unittest.TestCase):
         place = whole.index(b"particles.npy") + 400
         damaged = whole[:place] + bytes([whole[place] ^ 1]) + whole[place + 1:]
         for bad, words in ((b"", "no zip archive"), (whole[:1000], "ends early"), (whole[:-30], "ends early"),
-                           (damaged, "is damaged")):
+                           (whole[:-1], "ends early"), (damaged, "is damaged")):
             (self.folder / "bad.npz").write_bytes(bad)
             code, text = self.check("bad.npz")
             self.assertEqual((code, text.count("\n")), (2, 0), text)
@@ -100,6 +123,29 @@ class Files(unittest.TestCase):
     def test_refuses_other_endings(self):
         with self.assertRaisesRegex(knuckle.InputError, "spot.ply: an actor is written as .json or .npz or .urdf"):
             knuckle.Actor(door_arrays()).save(self.folder / "spot.ply")
+
+
+class Levels(unittest.TestCase):
+    def test_have_the_same_bodies_and_joints_in_the_order_asked_for(self):
+        fine, coarse = knuckle.voxelize(MODEL, levels=[1000, 300])
+        for count, actor in ((1000, fine), (300, coarse)):
+            self.assertAlmostEqual(len(actor.particles) / count, 1, delta=0.05)
+            self.assertEqual(len(actor.particle_weights[0]), len(actor.particles))
+        for part, fields in (("bodies", ("name", "parent", "merged_bones")), ("joints", ("name", "parent", "child"))):
+            for field in fields:
+                self.assertEqual(*([item[field] for item in getattr(actor, part)] for actor in (fine, coarse)), field)
+        # By itself the finer one has room for more.
+        self.assertGreater(len(knuckle.voxelize(MODEL, particles=1000).bodies), len(fine.bodies))
+
+    def test_mistakes_are_one_line_each(self):
+        for arguments, words in (({"levels": []}, "levels: is empty; give a number of particles for each actor"),
+                                 ({"levels": [300, 5]}, "levels: 5 is not from 12 to 200000"),
+                                 ({"particles": 300000}, "particles: 300000 is not from 12 to 200000"),
+                                 ({"levels": [300], "particles": 300},
+                                  "levels: stand for particles and diameter; leave those out")):
+            with self.assertRaises(knuckle.InputError) as caught:
+                knuckle.voxelize(MODEL, **arguments)
+            self.assertEqual(str(caught.exception), words)
 
 
 class Arrays(unittest.TestCase):

@@ -68,4 +68,47 @@ for shell in zsh fish; do
     grep -q 'draft good final' "$folder/$shell" || fail "$shell: no words of --quality"
     ! command -v "$shell" >/dev/null || "$shell" -n "$folder/$shell" || fail "$shell cannot read its completion"
 done
+
+# What the shells themselves make of a line of which a Tab leaves one way to go on.
+mkdir "$folder/zsh_functions" "$folder/here"
+mv "$folder/zsh" "$folder/zsh_functions/_knuckle"
+touch "$folder/here/plan.json"
+cat >"$folder/tab.zsh" <<'END'
+zmodload zsh/zpty
+zpty tty zsh -f -i
+{
+    echo "fpath=($1/zsh_functions \$fpath); autoload -U compinit; compinit -u -D; cd $1/here"
+    echo "tab() { zle complete-word; print -r -- \$BUFFER >$1/line; BUFFER=; }; zle -N tab; bindkey '^I' tab"
+    echo "touch $1/ready"
+} | while read -r line; do zpty -w tty "$line"; done
+# wait_for FILE: true once it is there.
+wait_for() { repeat 600 { [[ -s $1 || -e $1 && $1 == */ready ]] && return; zpty -rt tty said; sleep 0.05 }; return 1 }
+wait_for "$1/ready" || exit
+rm -f "$1/line"
+zpty -wn tty "$2"$'\t'
+wait_for "$1/line" && cat "$1/line"
+END
+tab() {
+    rm -f "$folder/line" "$folder/ready"
+    if [[ $1 == zsh ]]; then zsh -f "$folder/tab.zsh" "$folder" "$2"
+    else (cd "$folder/here" && fish -c "source $folder/fish; complete -C '$2'" | sed "s/\t.*//; s/^/${2% *} /"); fi
+}
+while IFS='|' read -r line wanted; do
+    for shell in zsh fish; do
+        command -v "$shell" >/dev/null || continue
+        found=$(tab "$shell" "$line")
+        [[ ${found% } == "$wanted" ]] || fail "$shell: \"$line\" becomes \"$found\", not \"$wanted\""
+    done
+done <<'END'
+knuckle rend|knuckle render
+knuckle render --quality dra|knuckle render --quality draft
+knuckle render --check|knuckle render --checkpoint
+knuckle render pl|knuckle render plan.json
+knuckle golden che|knuckle golden check
+knuckle sweep stat|knuckle sweep status
+knuckle sweep pl|knuckle sweep plan.json
+knuckle sweep plan.json --sta|knuckle sweep plan.json --stale
+knuckle sweep status pl|knuckle sweep status plan.json
+knuckle man rend|knuckle man render
+END
 exit $failed

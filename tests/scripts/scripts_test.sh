@@ -33,44 +33,50 @@ test_mirror() {
     expect 'lines' two://packages "$(bash scripts/try_on.sh --mirror-of "$apt")"
 }
 
-# A tree with a chain of headers; commits as nobody in particular.
+# Sources are joined but for those that cannot be: two with something of one name, and one that sets a macro.
+test_join() {
+    local tree=$folder/join name
+    write "$tree/CMakeLists.txt" 'cmake_minimum_required(VERSION 3.25)' 'project(joined LANGUAGES CXX)' \
+        'set(KNUCKLE_JOINED 4)' "include($root/cmake/join.cmake)" \
+        'add_library(joined STATIC a.cpp b.cpp c.cpp d.cpp e.cpp f.cpp)' 'knuckle_join(joined)'
+    # own NAME DECLARATION LINE...: the declaration is the source's own.
+    own() { write "$tree/$1.cpp" "${@:3}" '' 'namespace {' '' "$2" '' '}  // namespace' "int $1() { return 0; }"; }
+    own a 'constexpr int LEAST = 1, MOST = 2;'
+    own b 'struct Other {};'
+    own c 'const int MOST(3);'
+    own d 'struct Known final {};' '#define LEAST 5'
+    own e 'class Known {};'
+    own f 'enum class Known { Yes };'
+    cmake -S "$tree" -B "$tree/build" -G Ninja >/dev/null
+    together() { grep -rl --include='unity_*' "/$1.cpp" "$tree/build" | xargs -r grep -l "/$2.cpp" | wc -l; }
+    expect 'sources that may stand together' 1 "$(together a b)"
+    expect 'the second of a line of constants' 0 "$(together a c)"
+    expect 'two types of one name' 0 "$(together e f)"
+    for name in a b c e f; do
+        expect "$name.cpp is joined once" 1 "$(grep -rh --include='unity_*' "/$name.cpp" "$tree/build" | wc -l)"
+    done
+    expect 'a macro' 0 "$(together d d)"
+    cmake --build "$tree/build" >"$tree/told" || expect 'the build' fine "$(cat "$tree/told")"
+}
+
+# Which files clang-tidy gets: joined ones and those that stand alone, of the parts that are asked for.
 test_tidy() {
-    local tree=$folder/tidy since
-    commit() { git add -A && git -c user.name=test -c user.email=test@localhost commit -qm "$1"; }
-    mkdir -p "$tree"/{sim,render,app,tools,shaders/shared,scripts}
+    local tree=$folder/tidy file
+    mkdir -p "$tree"/{scripts,bin,sim,tests,build/tidy}
     cp "$root/scripts/tidy.sh" "$tree/scripts"
     cd "$tree"
-    write sim/deep.h '#pragma once'
-    write sim/upper.h '#include "sim/deep.h"'
-    write sim/a.cpp '#include "sim/upper.h"'
-    write render/b.cpp '#include "shared/types.h"'
-    write app/c.cpp 'int c;'
-    write shaders/shared/types.h '#pragma once'
-    write .clang-tidy 'Checks: none'
-    git init -q
-    commit one
-    since=$(git rev-parse HEAD)
-    local everything=$'app/c.cpp\nrender/b.cpp\nsim/a.cpp'
-    expect 'nothing has passed' "$everything" "$(bash scripts/tidy.sh --list | sort)"
-    echo "$since" >scripts/tidy_passed
-    expect 'nothing has changed' '' "$(bash scripts/tidy.sh --list)"
-    write app/c.cpp 'int d;'
-    write tools/new.cpp 'int e;'
-    expect 'sources' $'app/c.cpp\ntools/new.cpp' "$(bash scripts/tidy.sh --list)"
-    write sim/deep.h '#pragma once' 'int f;'
-    commit two
-    expect 'a header behind another' $'app/c.cpp\nsim/a.cpp\ntools/new.cpp' "$(bash scripts/tidy.sh --list | sort)"
-    write shaders/shared/types.h 'int g;'
-    expect 'a header of shaders' $'app/c.cpp\nrender/b.cpp\nsim/a.cpp\ntools/new.cpp' \
-        "$(bash scripts/tidy.sh --list | sort)"
-    expect 'a folder' render/b.cpp "$(bash scripts/tidy.sh --list render)"
-    rm app/c.cpp
-    expect 'what is gone' '' "$(bash scripts/tidy.sh --list | grep app || true)"
-    write .clang-tidy 'Checks: others'
-    expect 'other checks' $'render/b.cpp\nsim/a.cpp\ntools/new.cpp' "$(bash scripts/tidy.sh --list | sort)"
-    git checkout -q .clang-tidy app
-    tr 0-9a-f 1-9a-f0 <<<"$since" >scripts/tidy_passed
-    expect 'a commit that is missing' "$everything"$'\ntools/new.cpp' "$(bash scripts/tidy.sh --list | sort)"
+    write tests/.clang-tidy ''
+    write bin/clang-tidy '#!/bin/sh' 'for file; do :; done; echo "$file"; test "$file" != sim/alone.cpp'
+    write bin/cmake '#!/bin/sh' 'mkdir -p build/tidy/tests; cp files build/tidy/compile_commands.json'
+    chmod +x bin/*
+    for file in build/tidy/sim/x.dir/Unity/unity_0_cxx.cxx build/tidy/app/embedded.cpp app/main.cpp sim/alone.cpp \
+        build/tidy/tests/t.dir/Unity/unity_0_cxx.cxx cmake/known.cpp; do
+        printf '  "file": "%s"\n' "$tree/$file"
+    done >files
+    tidy() { PATH=$tree/bin:$PATH bash scripts/tidy.sh "$@" 2>&1 || echo "exit code $?"; }
+    expect 'all' $'app/main.cpp\nbuild/tidy/sim/x.dir/Unity/unity_0_cxx.cxx\nexit code 123\nsim/alone.cpp' "$(tidy | sort)"
+    expect 'a part' app/main.cpp "$(tidy app)"
+    expect_line 'no part' 'exit code 2' "$(tidy nowhere)"
     cd "$root"
 }
 
@@ -160,6 +166,7 @@ END
 
 test_mirror
 test_record
+test_join
 test_tidy
 test_structure
 exit $failed

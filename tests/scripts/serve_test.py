@@ -200,13 +200,13 @@ def interact(log):
     return served.end()
 
 
-def replayed(log, scene=SCENE):
-    return subprocess.run([PROGRAM, "--device", "software", "serve", scene, "--replay", log, "--hash"],
+def replayed(log, scene=SCENE, *options):
+    return subprocess.run([PROGRAM, "--device", "software", "serve", scene, "--replay", log, "--hash", *options],
                           capture_output=True, text=True)
 
 
-def same(log, hash, scene=SCENE):
-    run = replayed(log, scene)
+def same(log, hash, scene=SCENE, *options):
+    run = replayed(log, scene, *options)
     check(run.returncode == 0 and "state hash " + hash in run.stdout,
           "%s replayed: %s%s" % (scene, run.stdout, run.stderr))
 
@@ -267,6 +267,36 @@ def pulled(log, scene):
     check(len(stirs) == 20, "%s: %d pulls of %s" % (scene, len(stirs), name))
     check(stirs and stirs[-1]["at"][1] > stirs[0]["at"][1] + 0.05, "%s: it does not rise: %s" % (scene, stirs[-1:]))
     same(log, hash, scene)
+
+
+def ball(log):
+    """It is not there until it is thrown, then flies as thrown, also a second time and after a reset."""
+    served = Served("--log", log, "--ball", "0.2")
+    served.wish(do="pause")
+    served.wish(do="reset")
+    still = served.until(lambda f: f["step"] == 0, "no start")
+    check(still["hasBall"], "the ball is not told")
+    for speed in (20, 10):
+        check(served.wish(do="ball", at=[0.5, 0.5], speed=speed) == {}, "no ball is thrown")
+        # Gravity adds less than a metre a second in three steps.
+        at = served.figures()["step"]
+        served.wish(do="step", count=3)
+        served.until(lambda f: f["step"] == at + 3 and abs(f["maxSpeed"] - speed) < 1, "it does not fly")
+    served.wish(do="reset")
+    served.wish(do="step", count=20)
+    served.until(lambda f: f["step"] == 20 and f["maxSpeed"] < 8, "a reset leaves the ball")
+    served.wish(do="ball", at=[0.5, 0.6], speed=15)
+    served.wish(do="step", count=40)
+    served.until(lambda f: f["step"] == 60, "no forty steps")
+    same(log, served.end(), SCENE, "--ball", "0.2")
+    throws = [line for line in map(json.loads, open(log)) if "throw" in line]
+    check(len(throws) == 3, "%d throws are logged" % len(throws))
+    run = replayed(log)
+    check(run.returncode == 2 and "another world" in run.stderr, "replayed without a ball: " + run.stderr)
+    served = Served()
+    status, text = served.ask("POST", "/input", '{"do": "ball", "at": [0.5, 0.5], "speed": 8}')
+    check(status == 400 and b"--ball" in text and text.count(b"\n") == 1, "a ball that is none: %s" % text)
+    served.end()
 
 
 def killed(log):
@@ -337,6 +367,7 @@ served.end()
 with tempfile.TemporaryDirectory() as folder:
     changes = os.path.join(folder, "changes")
     replay(changes, interact(changes))
+    ball(os.path.join(folder, "ball"))
     killed(os.path.join(folder, "killed"))
     settings(os.path.join(folder, "settings"))
     faulty(os.path.join(folder, "settings"))

@@ -4,7 +4,9 @@
 #include <functional>
 #include <numeric>
 
+#include "sim/base/errors.h"
 #include "sim/gpu/kernel.h"
+#include "tests/message_of.h"
 #include "tests/solver/solver_test.h"
 
 namespace knuckle::test {
@@ -55,6 +57,26 @@ void main()
         return values;
     }
 };
+
+TEST_F(BufferOrder, WhatADeviceCannotBindAsAWholeIsRefused)
+{
+    const DeviceLimits& limits = gpu().limits();
+    const auto said = [&](size_t givenBytes, size_t takenBytes) {
+        const Buffer<uint32_t> small("small", SIZE);
+        RawBuffer given = RawBuffer::standIn("given", small.id(), givenBytes);
+        RawBuffer taken = RawBuffer::standIn("taken", small.id(), takenBytes);
+        BufferTable table;
+        table.add("given", given, elementType<uint32_t>(), Lifetime::Scratch);
+        table.add("taken", taken, elementType<uint32_t>(), Lifetime::Scratch);
+        const Kernel kernel(gpu(), table, "sim/test_copy.comp");
+        return messageOf<DeviceError>([&] { kernel.checkSizes(gpu()); });
+    };
+    const auto texels = static_cast<size_t>(limits.textureBufferSize) * sizeof(uint32_t);
+    const auto block = static_cast<size_t>(limits.storageBlockSize);
+    EXPECT_EQ(said(texels, block), "");
+    EXPECT_NE(said(texels + 4, block).find("for \"given\" and the device allows"), std::string::npos);
+    EXPECT_NE(said(texels, block + 4).find("kernel test_copy needs"), std::string::npos) << said(texels, block + 4);
+}
 
 TEST_F(BufferOrder, WhatIsWrittenAfterAClearIsSeen)
 {

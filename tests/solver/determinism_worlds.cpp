@@ -268,7 +268,9 @@ World everyWorld(GridKind grid)
     addRounds(builder, {-0.4f, 0.5f, 0.2f}, BOUNCY);
     addTowers(builder, {-3.5f, -0.4f, 0});
     addGrids(builder, {0, 0, 0});
-    return builder.build();
+    World world = builder.build();
+    world.shown = {.ages = true, .contactForces = true};
+    return world;
 }
 
 std::vector<Matter> matters()

@@ -72,6 +72,8 @@ protected:
         EXPECT_TRUE(sameBits(back.colliderPlaces, view.colliderPlaces, 4));
         EXPECT_TRUE(sameBits(back.foamPlaces, view.foamPlaces, 4));
         EXPECT_EQ(back.torn, view.torn);
+        EXPECT_EQ(back.ages, view.ages);
+        EXPECT_EQ(back.contactForces, view.contactForces);
         // Whole words are stored; nothing, if none is torn.
         for (size_t i = 0; i < view.tornDistances.size(); ++i)
             EXPECT_EQ(i < back.tornDistances.size() && back.tornDistances[i], view.tornDistances[i]) << i;
@@ -87,6 +89,8 @@ TEST_F(ViewCodingTest, KeepsEveryBit)
     std::mt19937 random(3);
     for (int round = 0; round < 20; ++round) {
         ViewState view = posed(world, random);
+        if (round % 3 == 1) view.ages.assign(world.particles.size(), 0.1f * static_cast<float>(round));
+        if (round % 3 == 2) view.contactForces.assign(world.particles.size(), 1.0f / static_cast<float>(round));
         if (round % 2 == 1)
             for (size_t p = 0; p < world.particles.size(); ++p) view.torn.push_back(random() % 3 == 0);
         for (int k = 0; k < 7 * round; ++k) view.tornDistances.push_back(random() % 5 == 0);

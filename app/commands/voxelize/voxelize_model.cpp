@@ -8,18 +8,16 @@
 
 #include "app/commands/voxelize/actor_preview.h"
 #include "app/commands/voxelize/actor_table.h"
-#include "app/files/actor_check.h"
 #include "app/files/actor_file.h"
+#include "app/files/actor_levels.h"
 #include "app/files/joints_file.h"
 #include "sim/base/errors.h"
 #include "sim/base/files/endings.h"
 #include "sim/base/files/output_file.h"
 #include "sim/rig/bodies/bone_options.h"
-#include "sim/rig/bodies/make_actor.h"
 #include "sim/rig/import/import.h"
 #include "sim/rig/limbs/fill_error.h"
 #include "sim/rig/skin/actor_skin.h"
-#include "sim/rig/skin/body_plan.h"
 
 namespace knuckle {
 
@@ -59,24 +57,6 @@ ActorOptions actorOptionsOf(const VoxelizeOptions& options)
     return actor;
 }
 
-/// An actor for each level, all with the bodies of the first.
-std::vector<Actor> actorsOf(const std::string& path, const Figure& figure, const std::vector<VoxelizeFiles>& levels,
-                            ActorOptions options)
-{
-    std::vector<Actor> actors;
-    for (const VoxelizeFiles& level : levels) {
-        options.particleCount = level.particles;
-        if (!actors.empty()) options.plan = planOf(actors.front(), figure.model);
-        actors.push_back(makeActor(figure, options));
-        requireUsable(path, actors.back());
-        if (const std::string difference = differenceOf(actors.front(), actors.back()); !difference.empty())
-            throw InputError(fmt::format("{}: at {} particles the bodies are others than at {}: {}; leave one out of "
-                                         "--levels",
-                                         path, level.particles, levels.front().particles, difference));
-    }
-    return actors;
-}
-
 /// The files of a level, opened before any work.
 struct OpenedFiles {
     std::optional<OutputFile> actor, preview;
@@ -99,7 +79,9 @@ std::vector<Actor> voxelizeModel(const std::string& path, const std::vector<Voxe
     ImportOptions import;
     const Model model = readModel(path, options, import);
     const Figure figure = readFigure(model, rolesWanted(model, actorOptions.articulation));
-    std::vector<Actor> actors = actorsOf(path, figure, levels, actorOptions);
+    std::vector<uint32_t> counts;
+    for (const VoxelizeFiles& level : levels) counts.push_back(level.particles);
+    std::vector<Actor> actors = actorsOfLevels(path, figure, counts, actorOptions);
     if (prints) {
         const FillError error = fillError(actors.front(), Solid(model.vertices, model.triangles));
         fmt::print("{}", actorTable(actors.front(), figure, actorOptions.articulation, error));

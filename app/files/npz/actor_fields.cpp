@@ -63,6 +63,7 @@ const std::vector<ActorField>& actorFields()
         {"joints_limits_stiffness", Float, {}, "joints"},
         {"joints_tearForce", Float, {}, "joints"},
         {"joints_tearTorque", Float, {}, "joints"},
+        {"neverTouch", Integer, {ANY, 2}},
         {"skin_vertices", Float, {ANY, 3}},
         {"skin_triangles", Integer, {ANY, 3}},
         {"skin_bodies", Integer, {ANY, 4}},

@@ -41,7 +41,7 @@ struct NpyHead {
 };
 
 /// The value of a key in the head's dictionary, up to what ends it.
-std::string_view valueOf(std::string_view head, std::string_view key, char end)
+std::string_view entryOf(std::string_view head, std::string_view key, char end)
 {
     const size_t at = head.find(fmt::format("'{}'", key)), colon = head.find(':', at);
     if (at == std::string_view::npos || colon == std::string_view::npos) return {};
@@ -80,7 +80,7 @@ NpyHead headOf(std::string_view bytes, const std::string& path, const std::strin
 {
     NpyHead head;
     const std::string_view text = dictionaryOf(bytes, head);
-    const std::string_view type = valueOf(text, "descr", '\''), shape = valueOf(text, "shape", ')');
+    const std::string_view type = entryOf(text, "descr", '\''), shape = entryOf(text, "shape", ')');
     if (type.empty() || shape.empty())
         failAt(path, name, "is no array of NumPy, or ends early; save it again by numpy.savez");
     const std::vector<size_t> size = numbersIn(type);
@@ -94,7 +94,7 @@ NpyHead headOf(std::string_view bytes, const std::string& path, const std::strin
     if (!isText && !isNumber)
         failAt(path, name, fmt::format("is of the type {}; must be of numbers or of texts (str)", type));
     head.isSwapped = type[1] == '>';
-    head.isByColumns = valueOf(text, "fortran_order", ',').starts_with("True");
+    head.isByColumns = entryOf(text, "fortran_order", ',').starts_with("True");
     head.shape = numbersIn(shape);
     return head;
 }

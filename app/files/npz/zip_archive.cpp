@@ -102,6 +102,16 @@ void require(bool done)
     if (!done) throw std::logic_error("a zip archive in memory could not be written");
 }
 
+/// Whether its last record is whole: 22 bytes, and a comment of the length that the last two of them say.
+bool hasEnd(std::string_view bytes)
+{
+    constexpr size_t SIZE = 22;
+    const size_t at = bytes.rfind("PK\5\6");
+    if (at == std::string_view::npos || bytes.size() < at + SIZE) return false;
+    const auto byte = [&](size_t k) { return static_cast<size_t>(static_cast<uint8_t>(bytes[at + k])); };
+    return bytes.size() >= at + SIZE + byte(SIZE - 2) + 256 * byte(SIZE - 1);
+}
+
 }  // namespace
 
 ZipEntries readZip(std::string_view bytes, const std::string& path)
@@ -110,7 +120,9 @@ ZipEntries readZip(std::string_view bytes, const std::string& path)
     file.read = bytes;
     zlib_filefunc64_def access = accessTo(file);
     const std::unique_ptr<void, decltype(&unzClose)> archive(unzOpen2_64(nullptr, &access), unzClose);
-    if (!archive) throw InputError(fmt::format("{}: is no zip archive, or ends early; save it again", path));
+    // The library takes an archive whose last record is cut short.
+    if (!archive || !hasEnd(bytes))
+        throw InputError(fmt::format("{}: is no zip archive, or ends early; save it again", path));
     ZipEntries entries;
     uint64_t total = 0;
     int more = unzGoToFirstFile(archive.get());

@@ -7,13 +7,15 @@ namespace knuckle {
 
 namespace {
 
-std::string jointOf(const RobotTurn& turn)
+/// @param armature beside the link's own inertia [kg m2].
+std::string jointOf(const RobotTurn& turn, float armature)
 {
     const std::string range = turn.range.bounded()
                                   ? fmt::format(" range=\"{:.6g} {:.6g}\"", turn.range.lowest, turn.range.highest)
                                   : "";
-    return fmt::format("<joint name=\"{}\" type=\"hinge\" axis=\"{}\" limited=\"{}\"{}/>", escapedMarkup(turn.name),
-                       numbersOf(turn.axis), turn.range.bounded(), range);
+    const std::string own = armature > 0.0f ? fmt::format(" armature=\"{:.6g}\"", armature) : "";
+    return fmt::format("<joint name=\"{}\" type=\"hinge\" axis=\"{}\" limited=\"{}\"{}{}/>", escapedMarkup(turn.name),
+                       numbersOf(turn.axis), turn.range.bounded(), range, own);
 }
 
 std::string jointsOf(const RobotLink& link, const std::string& indent)
@@ -21,7 +23,8 @@ std::string jointsOf(const RobotLink& link, const std::string& indent)
     if (link.parent < 0) return indent + "<freejoint/>\n";
     if (link.isBall) return fmt::format("{}<joint name=\"{}\" type=\"ball\"/>\n", indent, escapedMarkup(link.name));
     std::string text;
-    for (const RobotTurn& turn : link.turns) text += indent + jointOf(turn) + "\n";
+    const float armature = link.turns.size() > 1 ? hingeInertia(link) : 0.0f;
+    for (const RobotTurn& turn : link.turns) text += indent + jointOf(turn, armature) + "\n";
     return text;
 }
 

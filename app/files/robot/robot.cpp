@@ -130,6 +130,12 @@ Robot robotOf(const Actor& actor, float density)
     return robot;
 }
 
+float hingeInertia(const RobotLink& link)
+{
+    constexpr float SHARE = 0.01f;  // of the link's own, in the mean of its axes
+    return SHARE * link.inertia.trace() / 3.0f;
+}
+
 std::string numbersOf(const Vector3f& v)
 {
     return fmt::format("{:.6g} {:.6g} {:.6g}", v.x(), v.y(), v.z());

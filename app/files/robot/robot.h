@@ -47,6 +47,10 @@ std::string urdfOf(const Robot& robot);
 /// MuJoCo's XML.
 std::string mjcfOf(const Robot& robot);
 
+/// What a hinge that shares its joint with others has of its own [kg m2]: where a ball's first and last come to lie in
+/// a line, nothing would be left against turns about the line across both.
+float hingeInertia(const RobotLink& link);
+
 /// As both formats have them.
 std::string numbersOf(const Vector3f& v);
 

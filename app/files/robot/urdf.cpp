@@ -9,8 +9,8 @@ namespace knuckle {
 
 namespace {
 
-/// Of the links between the turns of a joint: enough for simulators that want some.
-constexpr float BETWEEN_MASS = 1e-3f, BETWEEN_INERTIA = 1e-6f;
+/// Of the links between the turns of a joint: simulators want some [kg].
+constexpr float BETWEEN_MASS = 1e-3f;
 /// Beyond what any figure needs: the format wants both [N m], [rad/s].
 constexpr float EFFORT = 1000.0f, VELOCITY = 100.0f;
 
@@ -78,7 +78,7 @@ std::string joints(const RobotLink& link, const RobotLink& parent)
         const std::string to = isLast ? link.name : fmt::format("{}_between_{}", link.name, k + 1);
         if (!isLast)
             text += fmt::format("  <link name=\"{}\">\n{}  </link>\n", escapedMarkup(to),
-                                inertial(BETWEEN_MASS, {0, 0, 0}, BETWEEN_INERTIA * Eigen::Matrix3f::Identity()));
+                                inertial(BETWEEN_MASS, {0, 0, 0}, hingeInertia(link) * Eigen::Matrix3f::Identity()));
         text += joint(link.turns[k].name, from, to, k == 0 ? place : Vector3f(0, 0, 0), &link.turns[k]);
         from = to;
     }

@@ -9,8 +9,15 @@
 SI units, right-handed, +Y up. What is wrong with an input is told by InputError, in one line.
 """
 
-from ._knuckle import (Actor, DeviceError, Film, InputError, RunError, Scene, Simulation, State, __version__,
-                       compare, load_actor, voxelize)
+try:
+    from ._knuckle import (Actor, DeviceError, Film, InputError, RunError, Scene, Simulation, State, __version__,
+                           compare, load_actor, voxelize)
+except ModuleNotFoundError as error:
+    if error.name != __name__ + "._knuckle":
+        raise
+    import sys
+    raise ImportError("this package has no module for Python {}.{}; it is built for that of the system, which is "
+                      "/usr/bin/python3".format(*sys.version_info)) from None
 
 __all__ = ["Actor", "DeviceError", "Film", "InputError", "RunError", "Scene", "Simulation", "State", "__version__",
            "compare", "load_actor", "voxelize"]

@@ -68,6 +68,10 @@ RenderSettings readPicture(const JsonFile& file, const World& world, const Named
     render.overlay = readOverlay(file);
     if (render.overlay.colorBar && !showsQuantity(render))
         failAt(file.path, "/render/labels", "\"colorBar\" needs a render.colorBy that shows a number, as \"speed\"");
+    if (render.colorBy == ColorBy::ContactForce && world.settings.solver == SolverKind::Paper)
+        failAt(file.path, "/render/colorBy",
+               "the paper's solver moves particles and has no forces of contacts; choose another, or the solver "
+               "\"default\"");
     readBackground(file.root["render"]["background"], render);
     readCameras(file, world, particles, render);
     return render;

@@ -26,6 +26,16 @@ void letGo(StateEdit& edit, const World& world, const Change& change)
         throw InputError(fmt::format("\"{}\" is held for ever; give it a `release` in the scene", change.name));
 }
 
+/// A body's first throw lets go of it, too.
+void throwFrom(StateEdit& edit, const World& world, const Change& change)
+{
+    const std::vector<uint32_t> bodies = bodiesNamed(world, change.name);
+    if (bodies.size() > 1 || !edit.freeNow(bodies[0]))
+        throw InputError(fmt::format("\"{}\" cannot be thrown from elsewhere", change.name));
+    edit.move(bodies, Eigen::Isometry3f(Eigen::Translation3f(change.at) * edit.pose(bodies[0]).inverse()));
+    edit.setVelocity(bodies, {change.velocity, {0, 0, 0}, change.at});
+}
+
 void push(StateEdit& edit, const World& world, const Change& change)
 {
     const std::vector<uint32_t> bodies = bodiesNamed(world, change.name);
@@ -41,6 +51,7 @@ void applyChange(Solver& solver, const World& world, const Change& change)
 {
     solver.edit([&](StateEdit& edit) {
         if (change.kind == ChangeKind::Stir) stir(edit, world, change);
+        else if (change.kind == ChangeKind::Throw) throwFrom(edit, world, change);
         else if (change.kind == ChangeKind::Release) letGo(edit, world, change);
         else push(edit, world, change);
     });

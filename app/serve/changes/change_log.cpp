@@ -37,6 +37,11 @@ Json jsonOf(uint64_t step, const Change& change)
             json["at"] = listOf(change.at);
             if (change.kind == ChangeKind::Stir) json["radius"] = change.radius;
             break;
+        case ChangeKind::Throw:
+            json["throw"] = change.name;
+            json["at"] = listOf(change.at);
+            json["velocity"] = listOf(change.velocity);
+            break;
         case ChangeKind::Release: json["release"] = change.name; break;
         case ChangeKind::Set:
             json["set"] = change.name;
@@ -54,6 +59,11 @@ Change changeOf(const Json& json)
     if (json.contains("release")) return {.kind = ChangeKind::Release, .name = word("release")};
     if (json.contains("set"))
         return {.kind = ChangeKind::Set, .name = word("set"), .value = json.at("value").get<std::vector<float>>()};
+    if (json.contains("throw"))
+        return {.kind = ChangeKind::Throw,
+                .name = word("throw"),
+                .at = vectorOf(json.at("at")),
+                .velocity = vectorOf(json.at("velocity"))};
     const bool stirs = json.contains("stir");
     return {.kind = stirs ? ChangeKind::Stir : ChangeKind::Push,
             .name = word(stirs ? "stir" : "push"),

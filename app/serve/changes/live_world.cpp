@@ -27,6 +27,7 @@ void LiveWorld::apply(const Change& change)
             break;
         case ChangeKind::Set: fields_.set(solver_, change.name, change.value); break;
         case ChangeKind::Push:
+        case ChangeKind::Throw:
         case ChangeKind::Stir:
         case ChangeKind::Release: applyChange(solver_, world(), change); break;
     }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace knuckle {
@@ -15,21 +16,36 @@ namespace knuckle {
 /// holds some and refuses the others.
 class BoundedPool : public httplib::TaskQueue {
 public:
+    /// @throws std::system_error when the system gives no more threads.
     explicit BoundedPool(size_t threads) : most_(threads)
     {
-        for (size_t k = 0; k < threads; ++k) threads_.emplace_back([this] { work(); });
+        try {
+            for (size_t k = 0; k < threads; ++k) threads_.emplace_back([this] { work(); });
+        } catch (...) {
+            end();  // the system gives no more threads
+            throw;
+        }
     }
 
-    void enqueue(std::function<void()> job) override
+    ~BoundedPool() override { end(); }
+
+    /// Nothing, or in later versions of the library whether the job was taken.
+    using Taken = decltype(std::declval<httplib::TaskQueue&>().enqueue({}));
+
+    Taken enqueue(std::function<void()> job) override
     {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return jobs_.size() < most_ || ended_; });
         jobs_.push_back(std::move(job));
         lock.unlock();
         changed_.notify_all();
+        return static_cast<Taken>(true);
     }
 
-    void shutdown() override
+    void shutdown() override { end(); }
+
+private:
+    void end()
     {
         {
             const std::lock_guard lock(mutex_);
@@ -37,9 +53,9 @@ public:
         }
         changed_.notify_all();
         for (std::thread& thread : threads_) thread.join();
+        threads_.clear();
     }
 
-private:
     void work()
     {
         while (true) {

@@ -90,7 +90,8 @@ Input parseInput(const std::string& text)
     if (input.kind == InputKind::Share) input.factor = numberIn(json, "part", 0.01f, 1.0f);
     if (input.kind == InputKind::Speed) input.factor = numberIn(json, "factor", 0.1f, 1.0f);
     if (input.points()) input.at = numbersIn<2>(json, "at", 1.0f).cwiseMax(0.0f);
-    if (input.kind == InputKind::Throw) input.factor = numberIn(json, "speed", 0.1f, 50.0f);
+    if (input.kind == InputKind::Throw || input.kind == InputKind::Ball)
+        input.factor = numberIn(json, "speed", 0.1f, 50.0f);
     if (input.kind == InputKind::Push || input.kind == InputKind::Release)
         input.name = wordIn(json, "name", "must be the name of an object or a body");
     if (input.kind == InputKind::Set) {

@@ -76,8 +76,7 @@ struct WebServer::Impl {
             throw InputError(fmt::format("--host {}: others could reach it, and steer; give a secret by --token as "
                                          "well, or leave it out for this machine alone",
                                          options.host));
-        // One thread for each who stays, and some for who comes and goes.
-        server.new_task_queue = [] { return new BoundedPool(2 * MOST_STREAMS + 8); };
+        server.new_task_queue = [this] { return pool.release(); };
         server.set_keep_alive_max_count(1);  // a refused body is never taken for the next request
         server.set_read_timeout(PATIENCE);
         server.set_write_timeout(PATIENCE);
@@ -233,6 +232,9 @@ struct WebServer::Impl {
     std::string page;
     LiveFeed& feed;
     int port = 0;
+    /// One thread for each who stays, and some for who comes and goes. Made here, where it may fail: the server, which
+    /// takes it as it starts, asks on a thread of its own.
+    std::unique_ptr<BoundedPool> pool = std::make_unique<BoundedPool>(2 * MOST_STREAMS + 8);
     httplib::Server server;
     std::thread thread;
 };

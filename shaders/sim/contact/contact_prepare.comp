@@ -15,8 +15,8 @@ READ_BUFFER(vec4, MoverMoves, moverMoves);   // no texture: sixteen are needed b
 uniform samplerBuffer grainFrictions;    // by material
 uniform usamplerBuffer pairArrivals;     // by second particle, in the order of arrival, which differs from run to run
 BUFFER(uvec4, PairSides, pairSides);
-BUFFER(vec4, PairArms, pairArms);
-BUFFER(vec4, PairImpulses, pairImpulses);
+FLOAT_TEXELS(pairArms)
+FLOAT_TEXELS(newPairImpulses)
 BUFFER(float, PairMeans, pairMeans);
 BUFFER(uint, PairReferences, pairReferences);
 BUFFER(Counters, CountersBlock, counters);
@@ -83,8 +83,8 @@ void main()
     SideMass massB = sideMass(b.mover, armB, rB, separation.normal);
     sides.fractions = vec2(massA.fraction, massB.fraction);
     pairSides[q] = packContactSides(sides);
-    pairArms[firstArm(q)] = packArm(Arm(rA, massA.worst));
-    pairArms[secondArm(q)] = packArm(Arm(rB, massB.worst));
+    imageStore(pairArms, int(firstArm(q)), packArm(Arm(rA, massA.worst)));
+    imageStore(pairArms, int(secondArm(q)), packArm(Arm(rB, massB.worst)));
     Old old = oldImpulse(parity ^ 1u, pair, a.rank, b.rank);
 #ifdef RELEASES
     // Before its release it has pushed something that did not give way.
@@ -92,7 +92,7 @@ void main()
         old = Old(Impulse(vec3(0), 0.0), 0.0);
 #endif
     if (separation.distance < touch && old.impulse.normal <= 0.0) old.impulse.normal = ABOUT_TO_ACT;
-    pairImpulses[index] = packImpulse(old.impulse);
+    imageStore(newPairImpulses, int(index), packImpulse(old.impulse));
     pairMeans[index] = old.mean;
     refer(parity, q, b.rank);
 }

@@ -18,9 +18,9 @@ uniform samplerBuffer lastPairArms;
 uniform samplerBuffer lastPairImpulses;
 uniform samplerBuffer lastPairMeans;
 #ifdef ROUNDS
-BUFFER(vec4, PairArms, pairArms);
+FLOAT_TEXELS(newPairArms)
 #endif
-BUFFER(vec4, PairImpulses, pairImpulses);
+FLOAT_TEXELS(newPairImpulses)
 BUFFER(float, PairMeans, pairMeans);
 READ_BUFFER(Counters, CountersBlock, counters);
 
@@ -35,10 +35,10 @@ void main()
     Arm armA = fetchContactArm(lastPairArms, firstArm(q)), armB = fetchContactArm(lastPairArms, secondArm(q));
     Contact contact = pairNow(fetchPair(pairs, index), sides, armA, armB, last.normal);
     float mean = texelFetch(lastPairMeans, int(index)).x;
-    pairImpulses[index] = packImpulse(solveContact(contact, last, mean));
+    imageStore(newPairImpulses, int(index), packImpulse(solveContact(contact, last, mean)));
     pairMeans[index] = mean;
 #ifdef ROUNDS
-    pairArms[firstArm(q)] = packArm(armA);
-    pairArms[secondArm(q)] = packArm(armB);
+    imageStore(newPairArms, int(firstArm(q)), packArm(armA));
+    imageStore(newPairArms, int(secondArm(q)), packArm(armB));
 #endif
 }

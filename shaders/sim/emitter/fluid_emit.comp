@@ -1,5 +1,6 @@
 // One thread a particle that is to leave an emitter in this step. Its layer left the nozzle at its own moment of the
-// step, and the particle starts where it has moved to since. If something else is there, it stays inactive.
+// step, and the particle starts where it has moved to since. If something else is there, it stays inactive. AGES: of a
+// world that keeps ages.
 #include "sim/common/kernel.glsl"
 #include "sim/common/grid/fluid_grid.glsl"
 #include "sim/common/grid/grid.glsl"
@@ -16,6 +17,9 @@ BUFFER(vec4, Positions, positions);
 BUFFER(vec4, Velocities, velocities);
 BUFFER(vec4, FluidPasts, fluidPasts);
 BUFFER(uint, FluidTotals, totals);
+#ifdef AGES
+BUFFER(float, ParticleAges, particleAges);   // [s]
+#endif
 
 /// Whether nothing is in the way at x. The cells, made at the start of the step, say which particles may be near;
 /// `positions` has their current places. Particles of this step are in no cell. @param room  Fluid particles have to be
@@ -60,5 +64,8 @@ void main()
     positions[i] = vec4(x, 0);
     fluidPasts[i] = pack(FluidPast(x, JUST_EMITTED));
     velocities[i] = pack(FluidVelocity(e.velocity.xyz + fall, max(HELD_LAYERS * e.interval - t, 0.0)));
+#ifdef AGES
+    particleAges[i] = t;
+#endif
     atomicAdd(totals[PARTICLES_CAME], 1u);
 }

@@ -18,6 +18,12 @@ struct ReleaseWatch {
     uint release, body;
 };
 
+/// Whether a mover belongs to another object than the body that a release watches.
+bool isAnother(Release release, uint mover)
+{
+    return mover < release.firstBody || mover >= release.bodyEnd;
+}
+
 ReleaseWatch fetchReleaseWatch(uint index)
 {
     uvec2 t = texelFetch(releaseWatches, int(index)).xy;

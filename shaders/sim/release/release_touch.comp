@@ -2,9 +2,10 @@
 // each other, or overlap without either answering.
 #include "sim/common/kernel.glsl"
 #include "sim/release/release.glsl"
-#include "sim/release/release_pairs.glsl"
+#include "sim/common/bodies/mover_info.glsl"
 #include "sim/common/bodies/mover_poses.glsl"
 #include "sim/common/contacts/contact_point.glsl"
+#include "sim/common/contacts/listed_pairs.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 uniform samplerBuffer pairImpulses;
@@ -29,10 +30,10 @@ void main()
     Release release = releases[watched.release];
     Mover body = fetchMover(watched.body);
     uint parity = counters[0].listParity;
-    BodyPairs list = pairsOf(body, parity);
+    ListedPairs list = pairsOf(body.firstRank, body.rankCount, parity);
     bool touched = false;
     for (uint k = 0u; k < list.count; ++k) {
-        BodyPair pair = pairAt(list, k, parity);
+        ListedPair pair = pairAt(list, k, parity);
         if (pair.index == NONE || pair.other < release.firstParticle || pair.other >= release.particleEnd) continue;
         uint mover = fetchRank(pair.other).mover;
         if (!isAnother(release, mover)) continue;

@@ -9,7 +9,7 @@
 layout(local_size_x = GROUP_SIZE) in;
 uniform usamplerBuffer pairSides;
 uniform samplerBuffer moverRestitutionSplits;
-BUFFER(vec4, PairImpulses, pairImpulses);
+FLOAT_TEXELS(pairImpulses)
 BUFFER(vec4, PairRestitutions, pairRestitutions);
 READ_BUFFER(Counters, CountersBlock, counters);
 
@@ -27,8 +27,8 @@ void main()
     if (!responds(movers.x) || !responds(movers.y) || sides.exit.sameAssembly) return;
     if (reached(movers.x) == reached(movers.y)) return;
     uint index = counters[0].listParity * sim.pairCapacity + q;
-    Impulse solver = unpackImpulse(pairImpulses[index]);
+    Impulse solver = unpackImpulse(imageLoad(pairImpulses, int(index)));
     if (solver.normal <= 0.0 || unpackImpulse(pairRestitutions[index]).normal != 0.0) return;
     pairRestitutions[index] = packImpulse(Impulse(-solver.whole / sim.substepTime, TAKEN_BACK));
-    pairImpulses[index] = packImpulse(Impulse(vec3(0), ABOUT_TO_ACT));
+    imageStore(pairImpulses, int(index), packImpulse(Impulse(vec3(0), ABOUT_TO_ACT)));
 }

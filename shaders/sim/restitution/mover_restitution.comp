@@ -20,6 +20,9 @@ BUFFER(vec4, OldMoverMoves, oldMoverMoves);
 #if defined(DETECT) || defined(REACH)
 BUFFER(float, MoverRestitutionSplits, moverRestitutionSplits);
 #endif
+#ifdef DETECT
+BUFFER(uint, LastCollision, lastCollision);
+#endif
 READ_BUFFER(Counters, CountersBlock, counters);
 
 /// The change of a body's velocity field, for impulses that sum to p and p r^T in its own axes.
@@ -40,7 +43,9 @@ void main()
     if (m >= sim.moverCount) return;
     Mover mover = fetchMover(m);
 #if defined(DETECT)
-    moverRestitutionSplits[m] = responds(m) ? contactSum(mover, counters[0].listParity).acting : 0.0;
+    float splits = responds(m) ? contactSum(mover, counters[0].listParity).acting : 0.0;
+    moverRestitutionSplits[m] = splits;
+    if (splits > 0.0) lastCollision[0] = counters[0].substep;
 #elif defined(REACH)
     if (responds(m) && moverRestitutionSplits[m] == 0.0 && contactSum(mover, counters[0].listParity).acting > 0.0)
         moverRestitutionSplits[m] = REACHED;

@@ -30,17 +30,14 @@ class Pool {
 public:
     explicit Pool(uint32_t size) : size_(size)
     {
-        for (uint32_t i = 0; i < size; ++i) threads_.emplace_back([this] { work(); });
-    }
-    ~Pool()
-    {
-        {
-            const std::lock_guard lock(mutex_);
-            ends_ = true;
+        try {
+            for (uint32_t i = 0; i < size; ++i) threads_.emplace_back([this] { work(); });
+        } catch (...) {
+            end();  // the system gives no more threads
+            throw;
         }
-        start_.notify_all();
-        for (std::thread& thread : threads_) thread.join();
     }
+    ~Pool() { end(); }
     void round()
     {
         std::unique_lock lock(mutex_);
@@ -51,6 +48,15 @@ public:
     }
 
 private:
+    void end()
+    {
+        {
+            const std::lock_guard lock(mutex_);
+            ends_ = true;
+        }
+        start_.notify_all();
+        for (std::thread& thread : threads_) thread.join();
+    }
     void work()
     {
         uint64_t seen = 0;

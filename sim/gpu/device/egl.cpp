@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "sim/gpu/device/driver_advice.h"
+#include "sim/gpu/device/libraries.h"
 
 namespace knuckle::egl {
 
@@ -70,6 +71,7 @@ std::string makeCurrent(Context& result, EGLContext sharedWith)
 
 std::vector<Device> devices()
 {
+    requireLibraries();
     const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!has(extensions, "EGL_EXT_device_enumeration") && !has(extensions, "EGL_EXT_device_base"))
         failOnDevice("EGL cannot list devices: no driver is found",
@@ -114,10 +116,21 @@ Context createSharing(const Context& other)
     return result;
 }
 
+void enter(const Context& context)
+{
+    if (!eglMakeCurrent(context.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context))
+        failOnDevice(fmt::format("an OpenGL context cannot change its thread: {}", errorWord(eglGetError())));
+}
+
+void leave(const Context& context)
+{
+    eglMakeCurrent(context.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
 void destroy(Context& context)
 {
     if (context.display == EGL_NO_DISPLAY) return;
-    eglMakeCurrent(context.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (eglGetCurrentContext() == context.context) leave(context);
     if (context.context != EGL_NO_CONTEXT) eglDestroyContext(context.display, context.context);
     // The display stays initialized: EGL shares it within the process, and another context may be alive.
     context = {};

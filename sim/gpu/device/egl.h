@@ -31,6 +31,10 @@ Context create(const Device& device, std::string& problem);
 /// A context on this thread that shares buffers, textures and fences with `other`, which may be current on another one.
 /// @throws DeviceError when the driver refuses.
 Context createSharing(const Context& other);
+/// Makes it current on this thread instead of another context. @throws DeviceError when the driver refuses.
+void enter(const Context& context);
+/// Makes no context current on this thread.
+void leave(const Context& context);
 void destroy(Context& context);
 
 }  // namespace knuckle::egl

@@ -47,6 +47,15 @@ std::optional<Actor> actorIfAny(const Figure& figure, const Solid& solid, const 
     }
 }
 
+/// The number of particles at a diameter, whether a plan's bodies have room in them or not; a half if not a single one
+/// fits.
+double countAt(const Figure& figure, const Solid& solid, ActorOptions options, double diameter)
+{
+    options.plan = {};
+    const std::optional<Actor> actor = actorIfAny(figure, solid, options, static_cast<float>(diameter));
+    return actor ? static_cast<double>(actor->particles.size()) : 0.5;
+}
+
 /// Diameters that bracket the wanted count, as far as known.
 class Bracket {
 public:
@@ -85,7 +94,8 @@ Actor actorOfCount(const Figure& figure, const Solid& solid, const ActorOptions&
     double bestError = std::numeric_limits<double>::infinity();
     for (int round = 0; round < ROUNDS && bestError > CLOSE * wanted; ++round) {
         std::optional<Actor> actor = actorIfAny(figure, solid, options, static_cast<float>(diameter));
-        const double count = actor ? static_cast<double>(actor->particles.size()) : 0.5;
+        const double count = actor ? static_cast<double>(actor->particles.size())
+                                   : countAt(figure, solid, options, diameter);
         const double error = std::abs(count - wanted);
         if (actor && error < bestError) {
             bestError = error;
@@ -139,8 +149,10 @@ Actor makeActor(const Figure& figure, const ActorOptions& options)
     const Solid solid(figure.model.vertices, figure.model.triangles);
     const std::vector<LimbThickness> limbs = thicknessesOf(figure);
     const bool byLimbs = options.voxels.diameter == 0.0f && options.particleCount == 0 && !limbs.empty();
+    ActorOptions first = options;
+    if (options.particleCount > 0) first.plan = {};  // only its diameter counts, at which a plan may have no room
     Actor actor = byLimbs ? actorByLimbs(figure, solid, options, limbDiameter(limbs))
-                          : actorOf(figure, solid, options, options.voxels.diameter);
+                          : actorOf(figure, solid, first, options.voxels.diameter);
     if (options.particleCount > 0) actor = actorOfCount(figure, solid, options, options.particleCount, actor.diameter);
     allow(actor, rangesInClips(figure, actor, options.articulation));
     noteThinLimbs(figure, limbs, actor);

@@ -22,7 +22,7 @@ Quaternionf twistAbout(const Vector3f& axis, const Quaternionf& turn)
 }
 
 /// The turn about an axis that brings one direction nearest to another.
-Quaternionf turnAbout(const Vector3f& axis, const Vector3f& from, const Vector3f& to)
+Quaternionf turnOnto(const Vector3f& axis, const Vector3f& from, const Vector3f& to)
 {
     const Vector3f across = axis.cross(from);
     return Quaternionf(Eigen::AngleAxisf(std::atan2(to.dot(across), to.dot(from)), axis));
@@ -62,7 +62,7 @@ Quaternionf JointTurns::crossTurn(uint32_t cross, const Quaternionf& parent, con
     if (next == actor_.joints.end()) return Quaternionf::Identity();
     const std::optional<Quaternionf> behind = wanted(next->child);
     if (!behind) return Quaternionf::Identity();
-    return turnAbout(actor_.joints[jointOf_[cross]].axis, next->axis, parent.conjugate() * *behind * next->axis);
+    return turnOnto(actor_.joints[jointOf_[cross]].axis, next->axis, parent.conjugate() * *behind * next->axis);
 }
 
 void JointTurns::addKey(const Wanted& wanted, std::vector<Quaternionf>& turns)

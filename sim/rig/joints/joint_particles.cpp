@@ -6,13 +6,13 @@
 #include <limits>
 
 #include "sim/rig/limbs/limb_frame.h"
+#include "sim/rig/limbs/seams.h"
 
 namespace knuckle {
 
 namespace {
 
 // Lengths in diameters.
-constexpr float CROWDED = 0.7f;        // an ordinary particle this near to a shared one gives way
 constexpr float SUPPORT = 0.8f;        // a place on a hinge's axis is used if a particle is this near
 constexpr float FACING = 1.2f;         // face to face on the lattice
 constexpr float NEIGHBOUR = 1.5f;      // further than the lattice's edge neighbours, nearer than its corner ones

@@ -1,7 +1,9 @@
 #include "sim/rig/limbs/rods.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "sim/rig/limbs/limb_frame.h"
 
@@ -12,6 +14,7 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr float WINDING = 0.35f;  // d: radius about the bone
+constexpr float SAME = 0.11f;     // d: nearer ones are at one place, which files of actors may not have
 // By quarter turns, so that two particles between the joints at its ends already leave the joints' plane.
 constexpr std::array<std::array<float, 2>, 4> DIRECTIONS{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
@@ -42,9 +45,14 @@ void windRods(const Figure& figure, const Solid& solid, Voxels& voxels, std::vec
             bones.push_back(limb);
         }
     }
+    const std::span<const Vector3f> wound = std::span(voxels.positions).subspan(before);
+    const auto isTaken = [&](const Vector3f& place) {
+        const auto isHere = [&](const Vector3f& other) { return (other - place).norm() < SAME * voxels.diameter; };
+        return std::ranges::any_of(wound, isHere);
+    };
     std::vector<uint32_t> kept, keptBones;
     for (uint32_t p = 0; p < bones.size(); ++p) {
-        if (p < before && isRod[bones[p]] != 0) continue;
+        if (p < before && (isRod[bones[p]] != 0 || isTaken(voxels.positions[p]))) continue;
         kept.push_back(p);
         keptBones.push_back(bones[p]);
     }

@@ -54,6 +54,8 @@ constexpr std::array CARRIED{
     Carried{"clusterRotations", Per::Cluster, 4},
     Carried{"clusterRests", Per::Cluster, 12},
     Carried{"distanceStates", Per::Distance, 4},
+    Carried{"particleAges", Per::Particle, 1},
+    Carried{"contactForces", Per::Particle, 1},
 };
 
 /// What carryContacts(), carryReleases(), carryCounted() and carryFoam() do.
@@ -65,15 +67,15 @@ constexpr std::array BY_HAND{
 };
 
 /// What begins anew: the next search, step or count of calm steps fills it. Clips say where colliders are, the world
-/// what `step` holds; what fluids may gain is found again.
+/// what `step` holds; what fluids may gain is found again; a step leaves its passes over loops of joints at none.
 constexpr std::array ANEW{
-    "assemblyCalm",    "assemblyNext",      "bodyActing",     "calmCentres",     "calmRotations",
-    "cellCounts",      "cellSums",          "colliderAheads", "colliderArms",    "colliderFounds",
-    "colliderMoves",   "colliderPlaces",    "colliderSides",  "emitterStates",   "fluidCellCounts",
-    "fluidCellSums",   "fluidEnergyLimits", "foamSums",       "islandsWoken",    "linkPulls",
-    "listCounts",      "listSums",          "oldMoves",       "oldVelocities",   "pairArms",
-    "pairReferences",  "pairSides",         "poolSums",       "releaseImpulses", "searchCentres",
-    "searchPositions", "searchRotations",   "step",
+    "assemblyCalm",    "assemblyNext",      "bodyActing",      "calmCentres",     "calmRotations",
+    "cellCounts",      "cellSums",          "colliderAheads",  "colliderArms",    "colliderFounds",
+    "colliderMoves",   "colliderPlaces",    "colliderSides",   "emitterStates",   "fluidCellCounts",
+    "fluidCellSums",   "fluidEnergyLimits", "foamSums",        "islandsWoken",    "lastCollision",
+    "linkPulls",       "listCounts",        "listSums",        "loopPass",        "oldMoves",
+    "oldVelocities",   "pairArms",          "pairReferences",  "pairSides",       "poolSums",
+    "releaseImpulses", "searchCentres",     "searchPositions", "searchRotations", "step",
 };
 
 void carry(const Carrying& c, const Carried& rule)

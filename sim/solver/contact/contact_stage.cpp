@@ -38,7 +38,7 @@ void ContactStage::setParameters(const StageSetup& setup)
     p.massScaling = s.massScaling;
 }
 
-void ContactStage::makeLists(const Gpu&)
+void ContactStage::makeLists()
 {
     const size_t pairCount = parameters_.pairCapacity, colliderCount = parameters_.colliderPairCapacity;
     pairSides.resize("pairSides", pairCount);

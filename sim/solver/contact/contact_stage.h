@@ -13,7 +13,7 @@ public:
     explicit ContactStage(const StageSetup& setup);
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
-    void makeLists(const Gpu& gpu) override;
+    void makeLists() override;
 
     /// Fills in the data of a new search's contacts, and gives them their old impulses.
     void prepare(Recorder& recorder) const;

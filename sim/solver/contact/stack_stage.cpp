@@ -12,6 +12,14 @@ namespace {
 // Newton steps in the first iteration of a substep, and in each after it.
 constexpr uint32_t STEPS = 6, STEPS_AGAIN = 3;
 
+/// Threads of stack_trees: many wait longer for each other, few have no rounds left in a large world.
+uint32_t treesGroup(size_t bodies)
+{
+    constexpr size_t LARGE_WORLD = 2048;
+    constexpr uint32_t LARGE_GROUP = 1024;
+    return bodies > LARGE_WORLD ? LARGE_GROUP : GROUP_SIZE;
+}
+
 }  // namespace
 
 bool StackStage::isNeeded(const World& world, const Layout& layout)
@@ -24,7 +32,8 @@ bool StackStage::isNeeded(const World& world, const Layout& layout)
 }
 
 StackStage::StackStage(const StageSetup& setup)
-    : parameters_(setup.parameters), hasColliders_(!setup.world.colliders.empty())
+    : parameters_(setup.parameters), hasColliders_(!setup.world.colliders.empty()),
+      treesGroup_(treesGroup(setup.layout.freeBodies.size()))
 {
 }
 

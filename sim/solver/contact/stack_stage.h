@@ -33,8 +33,9 @@ public:
 private:
     const gpu::StepParameters& parameters_;
     bool hasColliders_;
+    uint32_t treesGroup_;  ///< Threads that look for stacks.
     Pass touch_{*this, "contact/stack/stack_touch"};
-    Pass trees_{*this, "contact/stack/stack_trees"};
+    Pass trees_{*this, "contact/stack/stack_trees", {{"STACK_GROUP", std::to_string(treesGroup_) + "u"}}};
     Pass pairsFirst_{*this, "contact/stack/stack_pairs", {{"FIRST", "1"}}};
     Pass pairs_{*this, "contact/stack/stack_pairs"};
     Pass collidersFirst_{*this, "contact/stack/stack_colliders", {{"FIRST", "1"}}, hasColliders_};

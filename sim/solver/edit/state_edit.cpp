@@ -64,6 +64,16 @@ bool StateEdit::responds(uint32_t body) const
     return movers_[body] == MOVER_DYNAMIC || movers_[body] == MOVER_ASLEEP;
 }
 
+bool StateEdit::freeNow(uint32_t body)
+{
+    if (responds(body)) return true;
+    if (movers_[body] != MOVER_FIXED || layout_.heldIndex(body) == NO_INDEX) return false;
+    movers_[body] = MOVER_DYNAMIC;
+    for (const uint32_t i : particlesOf({{body}})) positions_[i].w = 0.0f;
+    wake(body, world_.bodies[body].assembly);
+    return true;
+}
+
 Isometry3f StateEdit::pose(uint32_t body) const
 {
     const gpu::vec4& q = rotations_[body];

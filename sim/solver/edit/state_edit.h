@@ -29,6 +29,9 @@ public:
 
     /// Whether impulses would move a body now: it is neither held nor follows a clip. Only these can be changed.
     bool responds(uint32_t body) const;
+    /// Lets go of a held body before anything else, as of one that is not there yet, so that it can be changed at once.
+    /// @returns false, and changes nothing, if it is held for ever or follows a clip.
+    bool freeNow(uint32_t body);
     /// From a body's axes at rest, with the origin in its mass centre, to the world.
     Eigen::Isometry3f pose(uint32_t body) const;
     /// Moves bodies as one, with the particles that are theirs alone. Their velocities in the world stay.

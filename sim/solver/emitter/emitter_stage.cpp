@@ -48,7 +48,8 @@ gpu::Emitter packEmitter(const Emitter& e, const World& world)
 }  // namespace
 
 EmitterStage::EmitterStage(const StageSetup& setup)
-    : parameters_(setup.parameters), hasEmitters_(!setup.world.emitters.empty())
+    : parameters_(setup.parameters), hasEmitters_(!setup.world.emitters.empty()),
+      emit_(*this, "emitter/fluid_emit", definesOf({{"FLUIDS", true}, {"AGES", setup.world.shown.ages}}), hasEmitters_)
 {
 }
 

@@ -38,7 +38,7 @@ private:
     Pass sum_{*this, "common/grid/scan_sum", {{"POOLS", "1"}}, hasEmitters_};
     Pass update_{*this, "emitter/emitter_update"};
     Pass order_{*this, "emitter/pool_order", {}, hasEmitters_};
-    Pass emit_{*this, "emitter/fluid_emit", {{"FLUIDS", "1"}}, hasEmitters_};
+    Pass emit_;
     Pass drain_{*this, "emitter/fluid_drain"};
 };
 

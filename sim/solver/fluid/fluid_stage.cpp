@@ -1,7 +1,5 @@
 #include "sim/solver/fluid/fluid_stage.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -64,17 +62,11 @@ void FluidStage::upload(const StageSetup& setup)
     fluidPasts = {"fluidPasts", parameters_.particleCount + parameters_.fluidCount};
 }
 
-void FluidStage::makeLists(const Gpu& gpu)
+void FluidStage::makeLists()
 {
     const gpu::StepParameters& p = parameters_;
     const size_t count = p.particleCount + p.fluidCount, cells = p.fluidCellMask + 1;
     const size_t slots = (count + NEIGHBOUR_BLOCK - 1) / NEIGHBOUR_BLOCK * NEIGHBOUR_BLOCK;
-    const uint64_t largest = uint64_t(p.fluidSlots) * slots * sizeof(uint32_t);
-    if (largest > static_cast<uint64_t>(gpu.limits().storageBlockSize))
-        throw DeviceError(fmt::format(
-            "{}: {} fluid particles with {} neighbours need a buffer of {} MiB and the device "
-            "allows {}; use fewer particles or another --device",
-            gpu.device().name, p.fluidCount, p.fluidSlots, largest >> 20, gpu.limits().storageBlockSize >> 20));
     fluidSearchPositions = {"fluidSearchPositions", count};
     fluidParticleCells = {"fluidParticleCells", count};
     fluidCellStarts = {"fluidCellStarts", cells + WRAPPED_CELLS + 1};

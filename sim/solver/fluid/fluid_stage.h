@@ -19,8 +19,8 @@ public:
     void addBuffers(BufferTable& table) override;
     void reserve(gpu::StepParameters& parameters, const gpu::Counters& counters) const override;
 
-    /// Makes the buffers of slots anew, with the capacities of the parameters. @throws DeviceError as the constructor.
-    void makeLists(const Gpu& gpu) override;
+    /// Makes the buffers of slots anew, with the capacities of the parameters.
+    void makeLists() override;
     /// Once, before the first step: a lattice that fills a tank is too dense at its walls and at solids. This spreads
     /// it without gaining speed; within a step, the same displacement would become speed. It repeats until no particle
     /// would gain speed, and stalls to read that from the GPU.

@@ -24,7 +24,7 @@ void ViscosityStage::upload(const StageSetup& setup)
     sweeps_ = viscousSweeps(parameters, setup.world);
 }
 
-void ViscosityStage::makeLists(const Gpu&)
+void ViscosityStage::makeLists()
 {
     const size_t count = parameters_.particleCount + parameters_.fluidCount;
     slotStarts = {"slotStarts", count};

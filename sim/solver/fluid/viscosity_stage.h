@@ -12,7 +12,7 @@ public:
     explicit ViscosityStage(const StageSetup& setup);
     void upload(const StageSetup& setup) override;
     void addBuffers(BufferTable& table) override;
-    void makeLists(const Gpu& gpu) override;
+    void makeLists() override;
 
     /// Before the pressures of a substep.
     void begin(Recorder& recorder) const;

@@ -1,5 +1,7 @@
 #include "sim/solver/joint/joint_stage.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -8,6 +10,7 @@
 #include "shared/joint_records.h"
 #include "sim/solver/drive/drive_stage.h"
 #include "sim/solver/drive/motor_stage.h"
+#include "sim/solver/loop_rounds.h"
 #include "sim/solver/pack.h"
 
 namespace knuckle {
@@ -60,6 +63,9 @@ bool hasLongTree(const JointTrees& trees)
     return std::ranges::any_of(trees.trees, isLong);
 }
 
+/// Rounds of loops for each body of a tree: up with its children, down, and what limits and long trees look at.
+constexpr uint64_t ROUNDS = 8;
+
 bool hasRow(const World& world, uint32_t body)
 {
     return body != NO_INDEX && !neverResponds(world.bodies[body]);
@@ -108,6 +114,7 @@ JointStage::JointStage(const StageSetup& setup)
       hasLoops_(needed_ && !setup.layout.jointTrees.loops.empty()), hasLimits_(needed_ && hasLimits(setup.world)),
       drives_(needed_ && drives(setup.world)), tears_(needed_ && tears(setup.world)),
       again_(needed_ && (hasLimits_ || drives_ || hasLongTree(setup.layout.jointTrees))),
+      loopPasses_(setup.layout.jointTrees, setup.gpu.limits().loopRounds),
       variant_(solveVariant(setup, hasLoops_, again_)), loopVariant_(loopVariant(setup)),
       factorVariant_(factorVariant(setup, hasLoops_, again_)), againVariant_(with(factorVariant_, "AGAIN")),
       rowVariant_(definesOf({{"ANGULAR", setup.rows.hasAngular()}})),
@@ -128,6 +135,12 @@ void JointStage::upload(const StageSetup& setup)
 void JointStage::uploadTrees(const StageSetup& setup)
 {
     const JointTrees& trees = setup.layout.jointTrees;
+    if (needed_) {
+        const uint64_t bodies = trees.trees.front().end - trees.trees.front().first;
+        const std::string what = fmt::format("an object of {} joined bodies", bodies);
+        checkLoopRounds(setup.gpu, ROUNDS * bodies, what);
+        checkLoopRounds(setup.gpu, loopPasses_.leastRounds, what + ", some of them in rings,");
+    }
     const std::vector<uint32_t> reserved = setup.rows.rowsOf(KIND);
     size_t next = 0;
     std::vector<gpu::uvec4> ranges;
@@ -159,6 +172,9 @@ void JointStage::uploadTrees(const StageSetup& setup)
     jointInertias = {"jointInertias", JOINT_INERTIA_TEXELS * trees.joints.size()};
     jointSweeps = {"jointSweeps", JOINT_SWEEP_TEXELS * trees.joints.size()};
     loopFactors = {"loopFactors", LOOP_FACTOR_TEXELS * trees.loops.size()};
+    loopPass = {"loopPass", trees.trees.size()};
+    loopSearches = {"loopSearches", LOOP_SEARCH_TEXELS * trees.loops.size()};
+    loopPulls = {"loopPulls", hasLoops_ ? 2 * trees.joints.size() : 0};
     bodyResponses = {"bodyResponses", BODY_RESPONSE_TEXELS * size_t{setup.layout.bodyCount}};
     bodyResponses.clear();
     driveStiffness = {"driveStiffness", drives_ ? DRIVE_STIFFNESS_TEXELS * trees.joints.size() : 0};
@@ -215,26 +231,33 @@ void JointStage::addBuffers(BufferTable& table)
     table.add(Lifetime::Constant, sharedParticles, jointTrees, jointInfo, jointPlaces, jointStrengths, jointParticles,
               jointFilters, jointReleases);
     table.add(Lifetime::State, jointFreedoms, jointLimitStates, jointLoads, bodyResponses, driveStiffness);
-    table.add(Lifetime::Scratch, jointFactors, rootFactors, treeTurns, jointInertias, jointSweeps, loopFactors);
+    table.add(Lifetime::State, loopPass);  // zero after the last
+    table.add(Lifetime::Scratch, jointFactors, rootFactors, treeTurns, jointInertias, jointSweeps, loopFactors,
+              loopSearches, loopPulls);
+}
+
+void JointStage::recordLoops(Recorder& recorder, const Pass& pass, uint32_t times) const
+{
+    for (uint32_t k = 0; hasLoops_ && k < times; ++k) recorder.groups(pass, treeGroups());
 }
 
 void JointStage::factor(Recorder& recorder) const
 {
     recorder.groups(factor_, treeGroups());
-    if (hasLoops_) recorder.groups(factorLoops_, treeGroups());
+    recordLoops(recorder, factorLoops_, loopPasses_.passes);
 }
 
 void JointStage::factorAgain(Recorder& recorder, bool last) const
 {
     if (!again_) return;
     recorder.groups(last && hasLimits_ ? refactorLast_ : refactor_, treeGroups());
-    if (hasLoops_ && hasLimits_) recorder.groups(factorLoops_, treeGroups());
+    if (hasLimits_) recordLoops(recorder, factorLoops_, loopPasses_.passes);
 }
 
 void JointStage::solve(Recorder& recorder, bool first) const
 {
     recorder.groups(first ? solveFirst_ : solve_, treeGroups());
-    if (hasLoops_) recorder.groups(solveLoops_, treeGroups());
+    recordLoops(recorder, solveLoops_, loopPasses_.series);
 }
 
 void JointStage::tear(Recorder& recorder) const

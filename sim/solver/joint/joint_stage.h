@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/solver/joint/loop_passes.h"
 #include "sim/solver/stage.h"
 
 namespace knuckle {
@@ -67,6 +68,9 @@ public:
     Buffer<gpu::vec4> jointInertias;      ///< Per joint of a tree: the inertia of its body that its parent sees.
     Buffer<gpu::vec4> jointSweeps;        ///< Per joint of a tree: values that the sweeps pass to each other.
     Buffer<gpu::vec4> loopFactors;        ///< Per joint that closes a loop: how its ends move apart.
+    Buffer<gpu::uvec2> loopPass;          ///< Per tree with many loops: passes so far; 1 if they hold.
+    Buffer<gpu::vec4> loopSearches;       ///< Per joint that closes a loop: where the search for its force is.
+    Buffer<gpu::vec4> loopPulls;          ///< Per joint of a tree, two: what its loops pull its body by.
     Buffer<gpu::JointRange> jointLimits;  ///< Per joint, if any has limits.
     Buffer<gpu::vec4> jointLimitStates;   ///< Per joint: where its limits stop it, and how hard.
     Buffer<gpu::uvec4> jointStrengths;    ///< Per joint: bits of force [N], torque [N m] at which it tears; first of
@@ -81,20 +85,22 @@ public:
 
 private:
     void uploadTrees(const StageSetup& setup);
+    void recordLoops(Recorder& recorder, const Pass& pass, uint32_t times) const;
     uint32_t treeGroups() const;
     void uploadLimits(const StageSetup& setup);
     void uploadStrengths(const StageSetup& setup);
 
     const gpu::StepParameters& parameters_;
     bool needed_, shared_, hasLoops_, hasLimits_, drives_, tears_, again_;
+    LoopPasses loopPasses_;
     Defines variant_, loopVariant_, factorVariant_, againVariant_, rowVariant_, tearVariant_;
     Pass factor_{*this, "joint/joint_factor", factorVariant_, needed_};
     Pass refactor_{*this, "joint/joint_factor", againVariant_, again_};
     Pass refactorLast_{*this, "joint/joint_factor", with(againVariant_, "LAST"), again_&& hasLimits_};
-    Pass factorLoops_{*this, "joint/loops/joint_loop_factor", rowVariant_, hasLoops_};
+    Pass factorLoops_{*this, "joint/loops/joint_loop_factor", loopPasses_.inPasses(rowVariant_), hasLoops_};
     Pass solveFirst_{*this, "joint/joint_solve", with(variant_, "FIRST"), needed_};
     Pass solve_{*this, "joint/joint_solve", variant_, needed_};
-    Pass solveLoops_{*this, "joint/loops/joint_loop_solve", loopVariant_, hasLoops_};
+    Pass solveLoops_{*this, "joint/loops/joint_loop_solve", loopPasses_.inPasses(loopVariant_), hasLoops_};
     Pass tear_{*this, "joint/joint_tear", tearVariant_, tears_};
     Pass place_{*this, "joint/joint_position", {}, shared_};
 };

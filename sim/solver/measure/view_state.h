@@ -20,6 +20,8 @@ struct ViewState {
     std::vector<gpu::vec4> foamPlaces{};      ///< Of points of foam: xyz [m], w: opacity, 0: none is there.
     std::vector<uint32_t> fluidForms{};       ///< Of each particle, packed (math/spheroid.glsl); empty: balls.
     std::vector<bool> tornDistances{};        ///< In the order of strandOrder(); empty: none can tear.
+    std::vector<float> ages{};                ///< Of each particle, as of ParticleView; empty: World::shown has none.
+    std::vector<float> contactForces{};       ///< The same.
 };
 
 /// The two sums of a state's hash as one number; see shaders/shared/state_hash.h.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shared/contact_constants.h"
 #include "sim/solver/pack.h"
 
 namespace knuckle {
@@ -30,6 +31,8 @@ void RestitutionStage::upload(const StageSetup& setup)
     adapt(setup.parameters);
     moverRestitutionSplits = {"moverRestitutionSplits", setup.layout.moverCount()};
     moverRestitutionShares = {"moverRestitutionShares", setup.layout.moverCount()};
+    lastCollision = {"lastCollision", 1};
+    restitutionSizes = {"restitutionSizes", RESTITUTION_SIZES};
     moverSolvedVelocities = {"moverSolvedVelocities", setup.world.bodies.size() * 3 + setup.layout.moverCount()};
 }
 
@@ -39,7 +42,7 @@ void RestitutionStage::adapt(gpu::StepParameters& p)
     p.restitutionThreshold = std::max(2.0f * vectorOf(p.gravity).norm() * p.substepTime, 0.02f);
 }
 
-void RestitutionStage::makeLists(const Gpu&)
+void RestitutionStage::makeLists()
 {
     pairRestitutions = {"pairRestitutions", 2 * size_t(parameters_.pairCapacity)};
     colliderRestitutions = {"colliderRestitutions", 2 * size_t(parameters_.colliderPairCapacity)};
@@ -50,25 +53,29 @@ void RestitutionStage::makeLists(const Gpu&)
 void RestitutionStage::addBuffers(BufferTable& table)
 {
     table.add(Lifetime::Scratch, pairRestitutions, colliderRestitutions, pairLedgers, colliderLedgers,
-              moverSolvedVelocities, moverRestitutionSplits, moverRestitutionShares);
+              moverSolvedVelocities, moverRestitutionSplits, moverRestitutionShares, restitutionSizes);
+    table.add(Lifetime::State, lastCollision);
 }
 
 void RestitutionStage::iterate(Recorder& recorder, const Kernel& pairs, const Kernel& colliders,
                                const Kernel& movers) const
 {
-    recorder.decided(pairs, DISPATCH_PAIRS);
-    if (hasColliders_) recorder.decided(colliders, DISPATCH_COLLIDER_PAIRS);
-    recorder.perElement(movers, parameters_.moverCount);
+    recorder.decided(pairs, restitutionSizes, RESTITUTION_PAIRS_SIZE);
+    if (hasColliders_) recorder.decided(colliders, restitutionSizes, RESTITUTION_COLLIDER_PAIRS_SIZE);
+    recorder.decided(movers, restitutionSizes, RESTITUTION_MOVERS_SIZE);
 }
 
 void RestitutionStage::apply(Recorder& recorder) const
 {
-    iterate(recorder, detectPairs_, detectColliders_, countMovers_);
+    recorder.decided(detectPairs_, DISPATCH_PAIRS);
+    if (hasColliders_) recorder.decided(detectColliders_, DISPATCH_COLLIDER_PAIRS);
+    recorder.perElement(countMovers_, parameters_.moverCount);
+    recorder.groups(due_, 1);
     for (uint32_t i = 0; i < iterations_; ++i) {
-        recorder.decided(takeBack_, DISPATCH_PAIRS);
-        recorder.perElement(reachMovers_, parameters_.moverCount);
+        recorder.decided(takeBack_, restitutionSizes, RESTITUTION_PAIRS_SIZE);
+        recorder.decided(reachMovers_, restitutionSizes, RESTITUTION_MOVERS_SIZE);
     }
-    recorder.perElement(beginMovers_, parameters_.moverCount);
+    recorder.decided(beginMovers_, restitutionSizes, RESTITUTION_MOVERS_SIZE);
     for (uint32_t i = 0; i < SOLVES; ++i) {
         iterate(recorder, solvePairs_, solveColliders_, moveMovers_);
         iterate(recorder, solvePairsEagerly_, solveCollidersEagerly_, moveMovers_);

@@ -14,7 +14,7 @@ public:
     void upload(const StageSetup& setup) override;
     void adapt(gpu::StepParameters& parameters) override;
     void addBuffers(BufferTable& table) override;
-    void makeLists(const Gpu& gpu) override;
+    void makeLists() override;
 
     void apply(Recorder& recorder) const;
 
@@ -27,6 +27,8 @@ public:
                                                                ///< its mass is split; REACHED (blows.glsl).
     Buffer<gpu::vec4> moverRestitutionShares;                  ///< Per mover: the shares of these impulses and of the
                                                                ///< solver's impulses that its energy affords.
+    Buffer<uint32_t> lastCollision;                            ///< The last substep in which anything collided.
+    Buffer<gpu::uvec4> restitutionSizes;                       ///< Work groups of what lets it bounce.
 
 private:
     void iterate(Recorder& recorder, const Kernel& pairs, const Kernel& colliders, const Kernel& movers) const;
@@ -45,6 +47,7 @@ private:
     Pass sharePairs_{*this, "restitution/contact_restitution", {{"SHARE", "1"}}};
     Pass shareColliders_{*this, "restitution/collider_restitution", {{"SHARE", "1"}}, hasColliders_};
     Pass countMovers_{*this, "restitution/mover_restitution", {{"DETECT", "1"}}};
+    Pass due_{*this, "restitution/restitution_due"};
     Pass takeBack_{*this, "restitution/contact_take_back"};
     Pass reachMovers_{*this, "restitution/mover_restitution", {{"REACH", "1"}}};
     Pass beginMovers_{*this, "restitution/mover_restitution", {{"BEGIN", "1"}}};

@@ -13,7 +13,7 @@ namespace knuckle {
 
 namespace {
 
-constexpr uint64_t MOST_PARTICLES = 1u << 23;  // contacts have 23 bits for a mover
+constexpr uint32_t MOST_MOVERS = 1u << 23;  // contacts have 23 bits for one
 // Largest distance of two particles of which one touches the other's box [diameters]: root 1.5 in the middle of four of
 // a face, less the depth that it may sink in before it is found; root 2 would find all neighbours across two faces.
 constexpr float FLAT_TOUCH = 1.2f;
@@ -108,18 +108,13 @@ void SearchStage::makeGrid(gpu::StepParameters& p)
     sortedParticles = {"sortedParticles", 2 * size_t(count)};
 }
 
-void SearchStage::makeLists(const Gpu& gpu)
+void SearchStage::makeLists()
 {
     const gpu::StepParameters& p = parameters_;
     const size_t count = p.particleCount;
-    const uint64_t largest = std::max<uint64_t>(p.candidateCapacity, 2ull * p.pairCapacity);
-    const auto limit = static_cast<uint64_t>(gpu.limits().storageBlockSize);
-    if (largest * sizeof(gpu::vec4) > limit || largest > static_cast<uint64_t>(gpu.limits().textureBufferSize) ||
-        count > MOST_PARTICLES)
-        throw DeviceError(fmt::format("{}: {} particles with {} contacts need a buffer of {} MiB and the device "
-                                      "allows {}; use fewer particles or another --device",
-                                      gpu.device().name, count, p.pairCapacity, largest * sizeof(gpu::vec4) >> 20,
-                                      limit >> 20));
+    if (p.moverCount > MOST_MOVERS)
+        throw DeviceError(fmt::format("{} bodies and loose particles, where contacts have numbers for {}; use fewer",
+                                      p.moverCount, MOST_MOVERS));
     candidates = {"candidates", p.candidateCapacity};
     if (listSums.id() == 0 || listCounts.size() != 3 * count) listSums = scanSums("listSums", 3 * count);
     listCounts.resize("listCounts", 3 * count);

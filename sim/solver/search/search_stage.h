@@ -14,8 +14,9 @@ public:
     void addBuffers(BufferTable& table) override;
     void reserve(gpu::StepParameters& parameters, const gpu::Counters& counters) const override;
 
-    /// Makes the lists anew, with the capacities of the parameters. @throws DeviceError when the device allows less.
-    void makeLists(const Gpu& gpu) override;
+    /// Makes the lists anew, with the capacities of the parameters. @throws DeviceError for more movers than contacts
+    /// have numbers for.
+    void makeLists() override;
     /// Counts the substep. In a world without solid particles this is the whole search.
     void count(Recorder& recorder) const;
     /// Finds contacts and lists pairs; ContactStage prepares their data.

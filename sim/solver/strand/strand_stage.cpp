@@ -4,6 +4,8 @@
 #include <bit>
 #include <limits>
 
+#include "sim/solver/loop_rounds.h"
+
 namespace knuckle {
 
 namespace {
@@ -115,6 +117,10 @@ void StrandStage::upload(const StageSetup& setup)
     const World& world = setup.world;
     const std::vector<uint32_t> counts = nodeCounts(world);
     order_ = strandOrder(world);
+    size_t longest = 0;
+    for (const Strand& strand : world.strands) longest = std::max(longest, strand.particles.size());
+    // Whether it rests, up and down.
+    checkLoopRounds(setup.gpu, 3 * (longest + 1), fmt::format("a rope or thread of {} particles", longest));
     Uploads uploads;
     for (uint32_t index : order_.strands) {
         if (colors_.size() <= order_.colors[index])

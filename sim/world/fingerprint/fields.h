@@ -282,8 +282,8 @@ inline auto fieldsOf(const World& w)
 {
     const auto& [radius, settings, materials, particles, bodies, links, joints, gears, objects, groups, clips,
                  animations, puppets, releases, colliders, motions, softBodies, clusters, clusterLinks, strands,
-                 clothTriangles, grids, skins, shapes, drawn, unseen, assemblies, spacing, fluids, emitters, drains,
-                 wind, forceFields] = w;
+                 clothTriangles, grids, skins, shapes, drawn, unseen, assemblies, spacing, fluids, shown, emitters,
+                 drains, wind, forceFields] = w;
     return counting(radius, settings, materials, particles, bodies, links, joints, gears, objects, clips, animations,
                     puppets, releases, colliders, motions, softBodies, clusters, clusterLinks, strands, clothTriangles,
                     grids, assemblies, spacing, fluids, emitters, drains, wind, forceFields);

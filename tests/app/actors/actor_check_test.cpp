@@ -43,7 +43,7 @@ protected:
     std::vector<std::string> warningsOf(const std::string& from, const std::string& to) const
     {
         const Actor actor = readActor(changed(from, to));
-        return jointWarnings(actor, worldOf("door", actor));
+        return actorWarnings(actor, worldOf("door", actor));
     }
     test::TempFolder folder;
 };
@@ -124,6 +124,27 @@ TEST_F(ActorCheck, WarnsOfJointsThatTurnOtherwiseThanTheySay)
               (std::vector<std::string>{"/joints/0/axis: the hinge turns about the line of its particles, (0.00 1.00 "
                                         "0.00), not about this; make it the same"}));
     EXPECT_TRUE(warningsOf("\"axis\": [0, 1, 0]", "\"axis\": [0, -1, 0]").empty());
+}
+
+TEST_F(ActorCheck, BodiesOfOneNameAreTold)
+{
+    EXPECT_EQ(warningsOf("\"name\": \"post\"", "\"name\": \"door\""),
+              std::vector<std::string>{"/bodies/1/name: body 0 is \"door\", too, so a scene cannot name one of them "
+                                       "alone; rename one"});
+}
+
+TEST_F(ActorCheck, TellsOfPairsThatAreNone)
+{
+    const auto pairs = [&](const std::string& text) {
+        return faultOf("\"joints\":", "\"neverTouch\": " + text + ",\n  \"joints\":");
+    };
+    EXPECT_EQ(pairs("[[0, 2]]"), "/neverTouch/0/1: 2 is not one of the 2 bodies");
+    EXPECT_EQ(pairs("[[1, 1]]"), "/neverTouch/0: names body 1 twice; name another one, or remove the pair");
+    EXPECT_EQ(pairs("[[1, 0], [0, 1]]"), "/neverTouch/1: is the pair of /neverTouch/0 again; remove one");
+    EXPECT_EQ(pairs("[[0, 1, 1]]"), "/neverTouch/0: is an array of 3, must be an array of 2 integers");
+    EXPECT_EQ(pairs("[0]"), "/neverTouch/0: is 0 (a number), must be an array of 2 integers");
+    EXPECT_EQ(pairs("[[1, 0]]"), "fine");
+    EXPECT_TRUE(areFiltered(worldOf("door", readActor(folder.path("door.json"))), 0, 1)) << "in either order";
 }
 
 TEST_F(ActorCheck, KnowsActorsByTheirContent)

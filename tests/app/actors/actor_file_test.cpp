@@ -8,9 +8,14 @@
 #include <random>
 
 #include "app/commands/voxelize/actor_table.h"
+#include "app/files/actor_check.h"
 #include "app/files/joints_file.h"
 #include "app/scene/scene_file.h"
 #include "sim/base/errors.h"
+#include "sim/rig/bodies/make_actor.h"
+#include "sim/rig/import/import.h"
+#include "sim/world/fingerprint/fingerprint.h"
+#include "tests/places.h"
 #include "tests/temp_folder.h"
 
 namespace knuckle {
@@ -42,6 +47,7 @@ Actor makePair()
     actor.joints[0].limits.bend = {-0.5f, std::numbers::pi_v<float> / 2};
     actor.joints[0].limits.stiffness = 12.5f;
     actor.joints[0].strength.force = 2500.0f;
+    actor.filtered = {{0, 1}};
     actor.notes = {"pelvis has 2 particles and became part of hip"};
     return actor;
 }
@@ -79,8 +85,24 @@ TEST(ActorFile, ReadsBackExactlyWhatWasWritten)
     EXPECT_FALSE(back.joints[0].limits.twist.bounded());
     EXPECT_EQ(back.joints[0].strength.force, 2500.0f);
     EXPECT_TRUE(std::isinf(back.joints[0].strength.torque));
+    EXPECT_EQ(back.filtered, actor.filtered);
     EXPECT_TRUE(std::signbit(back.signedDistances[6]));
     EXPECT_EQ(actorText(back), actorText(actor));
+}
+
+TEST(ActorFile, MakesTheWorldThatItsModelMakes)
+{
+    const test::TempFolder folder;
+    const Actor actor = makeActor(importModel(test::inSource("assets/models/dog.glb")), {});
+    ASSERT_FALSE(actor.filtered.empty()) << "its forelegs pass through its chest";
+    const uint64_t expected = fingerprint(worldOf("model", actor));
+    for (const char* file : {"dog.json", "dog.npz"}) {
+        writeActor(folder.path(file), actor);
+        EXPECT_EQ(fingerprint(worldOf(file, readActor(folder.path(file)))), expected) << file;
+    }
+    Actor touching = actor;
+    touching.filtered.clear();
+    EXPECT_NE(fingerprint(worldOf("touching", touching)), expected);
 }
 
 TEST(ActorFile, IsTheSameAsArrays)

@@ -72,6 +72,9 @@ TEST_F(Pictures, MistakesAreToldInOneLine)
                 scene + ": /render/labels/1: \"tme\" is unknown; did you mean \"time\"?");
     expectError(run({"render", scene, "--labels", "colorBar"}), 2,
                 scene + ": /render/labels: \"colorBar\" needs a render.colorBy that shows a number, as \"speed\"");
+    expectError(run({"render", scene, "--set", "render.colorBy=contactForce", "--set", "solver=paper"}), 2,
+                scene + ": /render/colorBy: the paper's solver moves particles and has no forces of contacts; choose "
+                        "another, or the solver \"default\"");
     expectError(run({"render", scene, "--set", "render.colorScale=[2, 1]"}), 2,
                 scene + ": /render/colorScale: its high end must be above its low one");
     expectError(run({"render", scene, "--set", R"(captions=[{"text": "x", "from": 2, "to": 1}])"}), 2,

@@ -23,6 +23,17 @@ TEST_F(FilmPreview, HasAnEighthOfTheParticlesOfWhatIsGivenInMetres)
     EXPECT_EQ(listFolder(folder.path("rough")).size(), 3u);
 }
 
+TEST_F(FilmPreview, HasParticlesAsLargeAsTheSceneCanBeMadeOf)
+{
+    // Of twice as large ones the ball is a single particle, too far from where its rope ends: eight are one and a half
+    // times as large, and six of the rope.
+    folder.write("rope.json", R"({ "duration": 0.1, "diameter": 0.08, "objects": [
+        { "type": "rigid", "shape": "sphere", "name": "ball", "radius": 0.2, "position": [0.16, 0.95, -0.5] },
+        { "type": "rope", "from": [0.16, 1.8, -0.5], "to": [0.16, 1.2, -0.5], "end": { "object": "ball" } }],
+        "render": { "width": 320, "height": 180 } })");
+    EXPECT_EQ(told("rope.json"), "preview of 14 particles for 42");
+}
+
 TEST_F(FilmPreview, LeavesAloneWhatIsCountedInParticles)
 {
     // Larger ones would overlap with their neighbours, which is no preview of anything, and takes longer.

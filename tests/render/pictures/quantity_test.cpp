@@ -1,9 +1,11 @@
 #include <cmath>
+#include <numeric>
 
 #include "render/frame_input.h"
 #include "render/quantities/color_scale.h"
 #include "render/quantities/quantity_pass.h"
 #include "render/view/framing.h"
+#include "sim/base/errors.h"
 #include "sim/solver/solver.h"
 #include "sim/world/builder/builder.h"
 #include "tests/render/render_fixture.h"
@@ -122,6 +124,125 @@ TEST(Quantity, StrainIsThatOfTheStretchesOfAnEvenMap)
     // Places have 24 bits of a metre; a stretch is their difference over 0.1 m.
     for (const float value : before) EXPECT_NEAR(value, 0.0f, 1e-4f);
     for (const float value : shown(world, buffers.view(), ColorBy::Strain)) EXPECT_NEAR(value, std::sqrt(0.14f), 1e-4f);
+}
+
+TEST(Quantity, AgeIsTheWayFromTheNozzleOverTheSpeed)
+{
+    constexpr float SPEED = 2.3f;
+    constexpr int STEPS = 30;
+    Settings settings;
+    settings.gravity = {0, 0, 0};
+    WorldBuilder builder(RADIUS, settings);
+    Material water;
+    water.fluid = true;
+    Emitter emitter;
+    emitter.material = builder.addMaterial(water);
+    const float d = builder.fluidSpacing();
+    emitter.nozzle = placed(rectangleNozzle(4 * d, 3 * d, d), {0, 1, 0}, {1, 0, 0});
+    emitter.velocity = {SPEED, 0, 0};
+    emitter.pool = 1000;
+    builder.addEmitter(emitter);
+    builder.beginObject("box");
+    const uint32_t stone = builder.addMaterial(Material());
+    builder.addBody("box", boxLattice({2, 2, 2}, 2 * RADIUS), stone);
+    builder.endObject({Vector3f(0, 5, 0)});
+    World world = builder.build();
+    world.shown.ages = true;
+    Solver solver(sharedGpu(), world);
+    for (int step = 0; step < STEPS; ++step) solver.step();
+    const std::vector<float> ages = shown(world, solver.view(), ColorBy::Age);
+    const std::vector<gpu::vec4> places = solver.readView().positions;
+    // What was there from the start; a sum of 30 steps.
+    for (uint32_t i = 0; i < world.solidCount(); ++i)
+        EXPECT_NEAR(ages[i], STEPS * world.settings.timeStep, 30 * 6e-8f) << i;
+    uint32_t came = 0;
+    for (size_t i = world.solidCount(); i < places.size(); ++i) {
+        if (places[i].w != 0.0f) {
+            EXPECT_EQ(ages[i], 0.0f) << i;
+            continue;
+        }
+        ++came;
+        // Emitter.LayersComeWhenTheyAreDueAndAsFarApartAsAtRestAtAnySpeed says how far a jet is off.
+        EXPECT_NEAR(ages[i], places[i].x / SPEED, 0.004f * d / SPEED) << i;
+    }
+    EXPECT_EQ(came, 12u * (static_cast<uint32_t>(STEPS * world.settings.timeStep * SPEED / d) + 1u));
+}
+
+/// Boxes on top of each other on the ground, and what contacts press each with, mean over a second at rest [N].
+std::vector<double> pressedBoxes(int count, World& world)
+{
+    WorldBuilder builder(RADIUS, Settings());
+    const uint32_t stone = builder.addMaterial(Material());
+    builder.addCollider({});
+    for (int k = 0; k < count; ++k) {
+        builder.beginObject("box");
+        builder.addBody("box", boxLattice({4, 3, 4}, 2 * RADIUS), stone);
+        builder.endObject({Vector3f(0, RADIUS * (3 + 6 * static_cast<float>(k)), 0)});
+    }
+    world = builder.build();
+    world.shown.contactForces = true;
+    Solver solver(sharedGpu(), world);
+    std::vector<double> pressed(world.bodies.size());
+    for (int step = 0; step < 180; ++step) {
+        solver.step();
+        if (step < 120) continue;
+        const std::vector<float> values = shown(world, solver.view(), ColorBy::ContactForce);
+        for (size_t i = 0; i < values.size(); ++i) pressed[world.particles[i].body] += values[i] / 60.0;
+    }
+    return pressed;
+}
+
+/// Each box is held up by what all from it on weigh, and pressed down by all above it. Seven form a stack.
+TEST(Quantity, ContactForcesAtRestAreTheWeightsThatPassFromBothSides)
+{
+    for (const int count : {1, 2, 7}) {
+        World world;
+        const std::vector<double> pressed = pressedBoxes(count, world);
+        const double weight = world.bodies[0].mass * GRAVITY;
+        for (int k = 0; k < count; ++k) {
+            const double carried = (2 * (count - k) - 1) * weight;
+            // In a second it takes m g and what changes its speed, by less than a centimetre a second.
+            EXPECT_NEAR(pressed[k], carried, 0.001 * carried) << k << " of " << count;
+        }
+    }
+}
+
+/// In a step of one substep, its mean is what the lists of contacts say on the host.
+TEST(Quantity, ContactForcesAreThoseOfTheListsOfContacts)
+{
+    Settings settings;
+    settings.substeps = 1;
+    WorldBuilder builder(RADIUS, settings);
+    const uint32_t stone = builder.addMaterial(Material());
+    builder.addCollider({});
+    for (int k = 0; k < 9; ++k) {
+        builder.beginObject("box");
+        builder.addBody("box", boxLattice({3, 2, 3}, 2 * RADIUS), stone);
+        builder.endObject({Vector3f(0.07f * static_cast<float>(k % 4), 0.3f + 0.35f * static_cast<float>(k), 0.02f)});
+    }
+    World world = builder.build();
+    world.shown.contactForces = true;
+    Solver solver(sharedGpu(), world);
+    for (int step = 0; step < 90; ++step) solver.step();
+    std::vector<double> wanted(world.particles.size());
+    for (const ContactForce& contact : solver.contactForces()) {
+        wanted[contact.particle] += contact.force.norm();
+        if (contact.other != NO_INDEX) wanted[contact.other] += contact.force.norm();
+    }
+    const std::vector<float> values = shown(world, solver.view(), ColorBy::ContactForce);
+    // Sums of some ten floats.
+    for (size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], wanted[i], 1e-5 * wanted[i] + 1e-6) << i;
+    EXPECT_GT(std::reduce(wanted.begin(), wanted.end()), 9 * world.bodies[0].mass * GRAVITY);
+}
+
+TEST(Quantity, WhatIsNotKeptIsRefused)
+{
+    StillWorld still(RADIUS);
+    still.addBody({{0, 0, 0}}, {0, 0, 0});
+    sharedGpu();
+    const StillBuffers buffers(still.world);
+    for (const ColorBy quantity : {ColorBy::Age, ColorBy::ContactForce})
+        EXPECT_THROW(shown(still.world, buffers.view(), quantity), RunError);
 }
 
 TEST(Quantity, WhatHasNoneIsGrey)

@@ -29,6 +29,15 @@ TEST(Levels, HaveTheBodiesAndJointsOfTheCoarsest)
     }
 }
 
+TEST(Levels, NeedRoomAtTheirOwnNumberOfParticlesOnly)
+{
+    // Where the search begins, hands and feet have none.
+    const Model model = importModel(test::inSource("assets/models/humanoid.glb"));
+    const Actor fine = ofLevel(model, 6000), other = ofLevel(model, 5000, planOf(fine, model));
+    EXPECT_NEAR(static_cast<double>(other.particles.size()), 5000.0, 250.0);
+    EXPECT_EQ(differenceOf(fine, other), "");
+}
+
 TEST(Levels, DifferWithoutAPlan)
 {
     const Model model = importModel(test::inSource("assets/models/humanoid.glb"));

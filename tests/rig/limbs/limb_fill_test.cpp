@@ -1,6 +1,8 @@
 #include "sim/rig/limbs/limb_fill.h"
 
 #include "sim/rig/import/skeleton/skeleton_body.h"
+#include "sim/rig/limbs/limb_owner.h"
+#include "sim/rig/limbs/rods.h"
 #include "tests/rig/actor_fixture.h"
 #include "tools/humanoid/humanoid.h"
 
@@ -125,6 +127,27 @@ TEST(LimbFill, rodKeepsItsJoints)
     for (const uint32_t p : thigh.particles)
         moment += (actor.particles[p] - head).cross(along).squaredNorm() / static_cast<float>(thigh.particles.size());
     EXPECT_GT(moment, 0.028f * actor.diameter * actor.diameter);
+}
+
+TEST(LimbFill, rodsTakeThePlacesOfOthers)
+{
+    const Model model = leg();
+    const Figure figure = readFigure(model);
+    const Solid solid(model.vertices, model.triangles);
+    Voxels voxels = voxelize(solid, {.diameter = 0.16f});
+    LimbOwner owner(figure);
+    std::vector<uint32_t> bones;
+    for (const Vector3f& place : voxels.positions) bones.push_back(owner.at(solid.tree().nearestAround(place)));
+    Voxels wound = voxels;
+    std::vector<uint32_t> woundBones = bones;
+    windRods(figure, solid, wound, woundBones);
+    // A particle of the hips beside one that the thigh gets.
+    const auto thigh = std::ranges::find(woundBones, 2u);
+    ASSERT_NE(thigh, woundBones.end());
+    voxels.add(solid, wound.positions[static_cast<size_t>(thigh - woundBones.begin())] + Vector3f(0.01f, 0, 0));
+    bones.push_back(0);
+    windRods(figure, solid, voxels, bones);
+    EXPECT_EQ(voxels.positions, wound.positions);
 }
 
 TEST(LimbFill, lostJointIsToldWithTheDiameterThatKeepsIt)

@@ -44,7 +44,7 @@ World fluidWorld(const Settings& settings)
 FluidFixture::FluidFixture(const Settings& settings) : KernelFixture(fluidWorld(settings))
 {
     stages.parameters.fluidSlots = SLOTS;
-    stages.fluids->makeLists(gpu());
+    stages.fluids->makeLists();
     wrap(false);
     masses = stages.particles.masses.download();
     setPlaces(randomVectors(count(), HALF, 31));

@@ -58,6 +58,30 @@ TEST_F(MoverRestitution, ItsMassIsSplitOverTheContactsThatWillAct)
     EXPECT_GT(none, 20u);
 }
 
+TEST_F(MoverRestitution, BouncesRunInSubstepsInWhichAnythingCollides)
+{
+    RestitutionStage& stage = *fixture.stages.restitution;
+    std::vector<gpu::uvec4> dispatches(DISPATCH_COUNT);
+    dispatches[DISPATCH_PAIRS].x = 5;
+    dispatches[DISPATCH_COLLIDER_PAIRS].x = 3;
+    fill(fixture.stages.dispatches, dispatches);
+    const auto sizesAfter = [&](uint32_t substep) {
+        gpu::Counters counters = fixture.counters();
+        counters.substep = substep;
+        fixture.setCounters(counters);
+        fixture.forMovers("restitution/mover_restitution", {{"DETECT", "1"}});
+        fixture.run("restitution/restitution_due", 1);
+        return stage.restitutionSizes.download();
+    };
+    const auto collide = sizesAfter(7);
+    EXPECT_EQ(collide[RESTITUTION_PAIRS_SIZE].x, 5u);
+    EXPECT_EQ(collide[RESTITUTION_COLLIDER_PAIRS_SIZE].x, 3u);
+    EXPECT_EQ(collide[RESTITUTION_MOVERS_SIZE].x, groupsFor(fixture.moverCount()));
+    fill(stage.pairRestitutions, std::vector<gpu::vec4>(stage.pairRestitutions.size(), gpu::vec4{}));
+    fill(stage.colliderRestitutions, std::vector<gpu::vec4>(stage.colliderRestitutions.size(), gpu::vec4{}));
+    for (const gpu::uvec4& size : sizesAfter(8)) EXPECT_EQ(size.x, 0u);
+}
+
 TEST_F(MoverRestitution, ImpulsesChangeVelocitiesByMassAndInertia)
 {
     fixture.forMovers("restitution/mover_restitution");

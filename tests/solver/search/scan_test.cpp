@@ -22,22 +22,25 @@ std::vector<uint32_t> chunkStarts(const std::vector<uint32_t>& values)
 
 TEST(Scan, ManyGroupsMakeOnePrefixSumAgainAndAgain)
 {
-    KernelFixture fixture(mixedWorld());
-    // 1407 chunks, the last one of 19 values, in 22 groups, the last one of 63 chunks.
-    fixture.stages.parameters.particleCount = 30001;
-    fixture.setParameters();
-    fixture.stages.search.makeLists(gpu());
-    Random random(5);
-    for (int run = 0; run < 3; ++run) {
-        std::vector<uint32_t> values(3 * 30001);
-        for (uint32_t& value : values) value = static_cast<uint32_t>(random.between(0.0f, 9.0f));
-        fill(fixture.stages.search.listCounts, values);
-        const auto expected = chunkStarts(values);
-        fixture.run("common/grid/scan_sum", expected.size(), {{"LISTS", "1"}});
-        auto sums = fixture.stages.search.listSums.download();
-        EXPECT_EQ(sums.back(), 0u) << "how many groups have finished, for the next time";
-        sums.pop_back();
-        EXPECT_EQ(sums, expected) << "run " << run;
+    // 1407 chunks, the last one of 19 values, in 22 groups, the last one of 63 chunks; and more chunks than a thread of
+    // llvmpipe runs through loops.
+    for (const uint32_t particles : {30001u, 1'500'017u}) {
+        KernelFixture fixture(mixedWorld());
+        fixture.stages.parameters.particleCount = particles;
+        fixture.setParameters();
+        fixture.stages.search.makeLists();
+        Random random(5);
+        for (int run = 0; run < (particles > 1e6 ? 1 : 3); ++run) {
+            std::vector<uint32_t> values(3 * size_t{particles});
+            for (uint32_t& value : values) value = static_cast<uint32_t>(random.between(0.0f, 9.0f));
+            fill(fixture.stages.search.listCounts, values);
+            const auto expected = chunkStarts(values);
+            fixture.run("common/grid/scan_sum", expected.size(), {{"LISTS", "1"}});
+            auto sums = fixture.stages.search.listSums.download();
+            EXPECT_EQ(sums.back(), 0u) << "how many groups have finished, for the next time";
+            sums.pop_back();
+            EXPECT_TRUE(sums == expected) << "run " << run << ", " << particles << " particles";
+        }
     }
 }
 

@@ -25,8 +25,8 @@ SearchBench::SearchBench() : KernelFixture(withNeighbours(mixedWorld()))
 {
     stages.parameters.candidateCapacity = 2 * CAPACITY;
     stages.parameters.pairCapacity = stages.parameters.colliderPairCapacity = CAPACITY;
-    stages.search.makeLists(gpu());
-    stages.contacts.makeLists(gpu());
+    stages.search.makeLists();
+    stages.contacts.makeLists();
     stages.uploadParameters();
     places = stages.particles.particleRanks.download();
     reaches.assign(stages.parameters.moverCount, 0.0f);

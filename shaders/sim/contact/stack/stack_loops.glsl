@@ -2,8 +2,11 @@
 // the preconditioner, so that they need no more rounds than loops have degrees of freedom.
 #include "sim/contact/stack/stack_elimination.glsl"
 
-// Rounds for each loop, and besides.
+// Rounds for each loop, and besides; no more than a driver lets a thread run through (DeviceLimits::loopRounds), at so
+// many rounds of loops for each body.
 #define LOOP_ROUNDS 6u
+#define ROUND_LOOPS 32u
+#define MOST_ROUNDS 60000u
 // What a step may be wrong by: of its energy, and for each body [diameters].
 #define LOOP_ERROR 1e-10
 #define LOOP_ROUNDING 1e-6
@@ -66,10 +69,12 @@ void turnSearch(uvec2 range, float kept)
 /// Leaves the step in STACK_STEP.
 void takeStep(uvec2 range, uint loops)
 {
+    uint rounds = min(LOOP_ROUNDS * (loops + 1u), MOST_ROUNDS / (ROUND_LOOPS * (range.y - range.x)));
+    if (rounds == 0u) loops = 0u;
     gather(range, loops);
     for (uint k = range.x; k < range.y; ++k) eliminate(stackOrder[k]);
     float left = 0.0, least = 0.0;
-    for (uint round = 0u; round <= LOOP_ROUNDS * (loops + 1u); ++round) {
+    for (uint round = 0u; round <= rounds; ++round) {
         if (round > 0u) advance(range, left);
         answerAll(range, loops);
         if (loops == 0u) return;

@@ -16,7 +16,7 @@ uniform usamplerBuffer pairReferences;
 uniform samplerBuffer pairArms;
 READ_BUFFER(uvec4, StackSizes, stackSizes);
 READ_BUFFER(Counters, CountersBlock, counters);
-BUFFER(vec4, PairImpulses, pairImpulses);
+FLOAT_TEXELS(pairImpulses)
 #ifdef STORE
 BUFFER(float, PairMeans, pairMeans);
 #include "sim/common/bodies/assemblies.glsl"
@@ -37,7 +37,7 @@ void visit(uint body, uvec4 neighbours, uint q, uint parity, inout Sums sums)
     bool answers = other == parent || any(loops);
     if (!answers && !standsOn(parent, other)) return;
     uint index = parity * sim.pairCapacity + q;
-    Impulse last = unpackImpulse(pairImpulses[index]);
+    Impulse last = unpackImpulse(imageLoad(pairImpulses, int(index)));
     float k = stiffnessOf(fetchMover(body)) + (answers ? stiffnessOf(fetchMover(other)) : 0.0);
     FacePair faces = facePair(fetchPair(pairs, index), sides, fetchContactArm(pairArms, firstArm(q)).r,
                               fetchContactArm(pairArms, secondArm(q)).r);
@@ -45,7 +45,7 @@ void visit(uint body, uvec4 neighbours, uint q, uint parity, inout Sums sums)
     Side a = faces.a, b = faces.b;
     Push push = pushOf(faces.normal, faces.startGap, a.move - b.move, sides.friction, k, last);
 #ifdef STORE
-    pairImpulses[index] = packImpulse(keptOf(push, k, faces.startGap));
+    imageStore(pairImpulses, int(index), packImpulse(keptOf(push, k, faces.startGap)));
     pairMeans[index] = push.normal;
     if (push.normal <= 0.0) return;
     assemblies[fetchMover(body).assembly].lastContact = counters[0].substep - 1u;

@@ -9,6 +9,13 @@ uint loopsOf(uint root)
     return stackRounds[root] < RINGS ? 0u : stackRounds[root] - RINGS;
 }
 
+/// The body that a stack hangs on; NONE if it has too many loops.
+uint rootOf(uint b)
+{
+    while (newStackParents[b].x < STACK_ROOT) b = newStackParents[b].x;
+    return newStackParents[b].x == STACK_ROOT && loopsOf(b) <= MOST_LOOPS ? b : NONE;
+}
+
 #define FOR_NEIGHBOURS(b, other) \
     for (uint n = 0u, other; n < STACK_TOUCHES && (other = stackTouches[STACK_TOUCHES * b + n]) != NONE; ++n) \
         if (stackRounds[other] >= RINGS)
@@ -38,15 +45,12 @@ void noteLoops(uint b)
     if (count > 0u) atomicAdd(stackRounds[root], count);
 }
 
-void spanRings()
+/// The first body that can be reached from each becomes the root of its tree.
+void findRoots()
 {
-    bool leads = gl_LocalInvocationID.x == 0u;
-    // The first body that can be reached from each.
     FOR_BODIES(b) stackMembers[b] = b;
     do {
-        MEET
-        if (leads) changed = 0u;
-        MEET
+        BEGIN_ROUND
         FOR_BODIES(b) {
             if (stackRounds[b] < RINGS) continue;
             uint least = stackMembers[b];
@@ -56,22 +60,33 @@ void spanRings()
             changed = 1u;
         }
         MEET
-    } while (changed != 0u);
+    } while (goesOn());
     FOR_BODIES(b) {
         if (stackRounds[b] < RINGS || stackMembers[b] != b) continue;
         newStackParents[b].x = STACK_ROOT;
         stackRounds[b] = RINGS;
     }
-    uint step = 0u;
+}
+
+void spanRings()
+{
+    // Roots are found in as many rounds as their trees are deep, or in fewer, by chance: trees have one less.
+    uint most = mostRounds(), step = 0u;
+    roundsLeft = most;
+    findRoots();
+    bool found = roundsLeft > 0u;
+    roundsLeft = most - 1u;
     do {
-        MEET
-        if (leads) changed = 0u;
+        BEGIN_ROUND
         ++step;
-        MEET
         FOR_BODIES(b) if (stackRounds[b] == NONE) hang(b, step);
         MEET
-    } while (changed != 0u);
-    FOR_BODIES(b) if (stackRounds[b] >= RINGS) noteLoops(b);
+    } while (goesOn());
+    found = found && roundsLeft > 0u;
+    FOR_BODIES(b) if (stackRounds[b] >= RINGS) {
+        if (found) noteLoops(b);
+        else newStackParents[b] = uvec4(NONE);
+    }
     FOR_BODIES(b) stackMembers[b] = 0u;
     MEET
 }

@@ -1,11 +1,11 @@
 // One work group: finds stacks. Bodies that touch at most one other are taken off, round by round; what is left forms
-// rings. Stacks are listed with parents behind their children.
+// rings. Stacks are listed with parents behind their children. What would take too many rounds is left to the ordinary
+// contacts.
 #include "sim/common/kernel.glsl"
 #include "shared/stack_records.h"
 #include "sim/common/groups.glsl"
 
-layout(local_size_x = GROUP_SIZE) in;
-uniform usamplerBuffer bodyOrder;
+layout(local_size_x = STACK_GROUP) in;
 READ_BUFFER(uint, StackTouches, stackTouches);
 layout(std430) coherent buffer StackRounds { uint stackRounds[]; };      // that a body is taken off in; 0: no part
 layout(std430) coherent buffer StackMembers { uint stackMembers[]; };    // of the stack of a body
@@ -14,10 +14,7 @@ BUFFER(uint, StackOrder, stackOrder);
 BUFFER(uvec4, StackRanges, stackRanges);
 BUFFER(uvec4, StackSizes, stackSizes);
 shared uint changed, stackCount, memberCount;
-
-#define FOR_BODIES(b) \
-    for (uint k = gl_LocalInvocationID.x, b; k < sim.freeBodyCount && (b = texelFetch(bodyOrder, int(k)).x) != NONE; \
-         k += GROUP_SIZE)
+#include "sim/contact/stack/stack_group.glsl"
 
 /// How many bodies that a body touches are left when a round begins. @param last the last of them.
 uint leftBeside(uint b, uint round, out uint last)
@@ -46,15 +43,7 @@ void takeOff(uint b, uint round)
     changed = 1u;
 }
 
-#define MEET memoryBarrierBuffer(); memoryBarrierShared(); barrier();
 #include "sim/contact/stack/stack_rings.glsl"
-
-/// The body that a stack hangs on; NONE if it has too many loops.
-uint rootOf(uint b)
-{
-    while (newStackParents[b].x < STACK_ROOT) b = newStackParents[b].x;
-    return newStackParents[b].x == STACK_ROOT && loopsOf(b) <= MOST_LOOPS ? b : NONE;
-}
 
 void list(uint root)
 {
@@ -78,20 +67,25 @@ void main()
     if (leads) stackCount = memberCount = 0u;
     uint round = 0u;
     do {
-        MEET
-        if (leads) changed = 0u;
+        BEGIN_ROUND
         ++round;
-        MEET
         FOR_BODIES(b) if (stackRounds[b] == NONE) takeOff(b, round);
         MEET
-    } while (changed != 0u);
+    } while (goesOn());
     spanRings();
     FOR_BODIES(b) {
         uint root = rootOf(b);
         if (root != NONE) atomicAdd(stackMembers[root], 1u);
     }
     MEET
-    FOR_BODIES(b) if (rootOf(b) == b && stackMembers[b] >= LEAST_STACK) list(b);
+    uint listed = 0u;   // by this thread: that takes rounds, too
+    FOR_BODIES(b) if (rootOf(b) == b) {
+        uint count = stackMembers[b];
+        bool isStack = count >= LEAST_STACK && count <= MOST_STACK && listed + count <= 4u * MOST_STACK;
+        if (isStack) list(b);
+        else stackMembers[b] = 0u;
+        listed += isStack ? count : 0u;
+    }
     MEET
     FOR_BODIES(b) if (stackMembers[b] < LEAST_STACK) newStackParents[b] = uvec4(NONE);
     if (!leads) return;

@@ -57,7 +57,8 @@ void main()
     if (index >= sim.jointTreeCount) return;
     JointTree tree = fetchJointTree(index);
     if (treeRests(tree)) return;
-    for (uint loop = tree.firstLoop; loop < tree.loopEnd; ++loop) {
+    uvec2 range = loopsOfPass(index, tree);
+    for (uint loop = range.x; loop < range.y; ++loop) {
         Joint joint = fetchJoint(loop);
         if (!loopActs(loop)) {
             if (standsIn(joint)) clearRows(joint);

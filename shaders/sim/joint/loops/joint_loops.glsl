@@ -1,7 +1,8 @@
 // Joints that close loops in a tree: each is a force between two of its bodies. How far that moves them apart is found
-// by trying it (joint_loop_factor); then each loop of a tree in turn corrects its error (joint_loop_solve).
+// by trying it (joint_loop_factor); then forces of all loops of a tree correct their errors (joint_loop_solve).
 #include "shared/joint_records.h"
 #include "sim/joint/joint_sweeps.glsl"
+#include "sim/joint/loops/loop_passes.glsl"
 
 /// How the ends of a loop answer to forces between them.
 struct LoopFactor {

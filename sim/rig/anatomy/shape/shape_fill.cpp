@@ -10,26 +10,26 @@ namespace knuckle {
 
 namespace {
 
-enum class Region { None, Arm, Leg, Trunk, Other };
+enum class Limbs { None, Arm, Leg, Trunk, Other };
 
-Region regionOf(BodyPart part)
+Limbs limbsOf(BodyPart part)
 {
     switch (part) {
         case BodyPart::Clavicle:
         case BodyPart::UpperArm:
         case BodyPart::Forearm:
         case BodyPart::Hand:
-        case BodyPart::Finger: return Region::Arm;
+        case BodyPart::Finger: return Limbs::Arm;
         case BodyPart::Coxa:
         case BodyPart::Thigh:
         case BodyPart::Shin:
         case BodyPart::Foot:
-        case BodyPart::Toe: return Region::Leg;
+        case BodyPart::Toe: return Limbs::Leg;
         case BodyPart::Hips:
         case BodyPart::Spine:
         case BodyPart::Neck:
-        case BodyPart::Head: return Region::Trunk;
-        default: return part == BodyPart::Other ? Region::None : Region::Other;
+        case BodyPart::Head: return Limbs::Trunk;
+        default: return part == BodyPart::Other ? Limbs::None : Limbs::Other;
     }
 }
 
@@ -62,9 +62,9 @@ public:
     void fill()
     {
         const bool none = std::ranges::none_of(anatomy_, isLimbPart, &BoneAnatomy::part);
-        const bool arms = isOpen(Region::Arm, {BodyPart::UpperArm, BodyPart::Forearm, BodyPart::Hand}) &&
-                          agrees(Region::Arm);
-        const bool legs = isOpen(Region::Leg, {BodyPart::Thigh, BodyPart::Shin, BodyPart::Foot}) && agrees(Region::Leg);
+        const bool arms = isOpen(Limbs::Arm, {BodyPart::UpperArm, BodyPart::Forearm, BodyPart::Hand}) &&
+                          agrees(Limbs::Arm);
+        const bool legs = isOpen(Limbs::Leg, {BodyPart::Thigh, BodyPart::Shin, BodyPart::Foot}) && agrees(Limbs::Leg);
         if (!arms && !legs) return;
         const auto has = [&](BodyPart part) {
             return std::ranges::find(anatomy_, part, &BoneAnatomy::part) != anatomy_.end();
@@ -72,11 +72,11 @@ public:
         const bool hips = has(BodyPart::Hips), head = has(BodyPart::Head);
         for (uint32_t b = 0; b < tree_.size(); ++b) {
             const BodyPart part = shape_[b].part;
-            const Region region = regionOf(part);
-            if (region == Region::None || !isSilent(b)) continue;
-            const bool wanted = region == Region::Arm   ? arms
-                                : region == Region::Leg ? legs
-                                : region == Region::Trunk
+            const Limbs region = limbsOf(part);
+            if (region == Limbs::None || !isSilent(b)) continue;
+            const bool wanted = region == Limbs::Arm   ? arms
+                                : region == Limbs::Leg ? legs
+                                : region == Limbs::Trunk
                                     ? none || !((part == BodyPart::Hips && hips) || (part == BodyPart::Head && head))
                                     : none || legs;
             if (wanted) take(b);
@@ -92,17 +92,17 @@ private:
     }
 
     /// Whether names leave a part of such limbs open, or all of them, and the shape knows a silent bone of them.
-    bool isOpen(Region region, const std::vector<BodyPart>& whole) const
+    bool isOpen(Limbs region, const std::vector<BodyPart>& whole) const
     {
         bool any = false, says = false;
-        for (uint32_t b = 0; b < tree_.size(); ++b) says |= regionOf(shape_[b].part) == region && isSilent(b);
+        for (uint32_t b = 0; b < tree_.size(); ++b) says |= limbsOf(shape_[b].part) == region && isSilent(b);
         if (!says) return false;
         for (const int side : {1, -1, 0}) {
             const auto has = [&](const auto& fits) {
                 return std::ranges::any_of(
                     anatomy_, [&](const BoneAnatomy& bone) { return bone.side == side && fits(bone.part); });
             };
-            if (!has([&](BodyPart part) { return regionOf(part) == region; })) continue;
+            if (!has([&](BodyPart part) { return limbsOf(part) == region; })) continue;
             any = true;
             for (const BodyPart wanted : whole)
                 if (!has([&](BodyPart part) { return part == wanted; })) return true;
@@ -112,19 +112,19 @@ private:
 
     /// Whether the shape sees the named long limbs of a region, and contradicts no name in it.
     /// its name.
-    bool agrees(Region region) const
+    bool agrees(Limbs region) const
     {
         using enum BodyPart;
         for (uint32_t b = 0; b < tree_.size(); ++b) {
             const BodyPart said = anatomy_[b].part, seen = shape_[b].part;
-            const bool here = regionOf(said) == region || regionOf(seen) == region;
-            const bool unseen = regionOf(said) == region && isLongLimb(said) && !isLimbPart(seen) && tree_.deforms[b];
+            const bool here = limbsOf(said) == region || limbsOf(seen) == region;
+            const bool unseen = limbsOf(said) == region && isLongLimb(said) && !isLimbPart(seen) && tree_.deforms[b];
             if (unseen) return false;
             if (!here || said == Other || seen == Other || said == seen) continue;
             const auto isEnd = [](BodyPart part) {
                 return part == Clavicle || part == Finger || part == Coxa || part == Toe;
             };
-            if (regionOf(said) != regionOf(seen) || !(isEnd(said) || isEnd(seen))) return false;
+            if (limbsOf(said) != limbsOf(seen) || !(isEnd(said) || isEnd(seen))) return false;
         }
         return true;
     }
@@ -138,7 +138,7 @@ private:
         if (name.isControl && !tree_.deforms[b]) return false;
         const bool carries = tree_.below(
                                  b, [&](uint32_t other) { return anatomy_[other].source == AnatomySource::Name; }) >= 0;
-        return !name.isAttached || carries || regionOf(shape_[b].part) == Region::Trunk;
+        return !name.isAttached || carries || limbsOf(shape_[b].part) == Limbs::Trunk;
     }
 
     const BoneTree& tree_;
@@ -152,8 +152,8 @@ bool takeSides(const std::vector<BoneAnatomy>& shape, std::vector<BoneName>& nam
 {
     bool any = false;
     for (size_t b = 0; b < names.size(); ++b) {
-        const Region region = regionOf(shape[b].part);
-        const bool limb = region == Region::Arm || region == Region::Leg;
+        const Limbs region = limbsOf(shape[b].part);
+        const bool limb = region == Limbs::Arm || region == Limbs::Leg;
         if (!limb || names[b].side != 0 || names[b].part == NamedPart::None) continue;
         names[b].side = shape[b].side;
         any |= shape[b].side != 0;
