@@ -116,12 +116,13 @@ DrawingThread::DrawingThread(const Gpu& gpu, const Scene& scene, const std::vect
     : snapshots_{FrameSnapshot(scene.world, shownBy(views)), FrameSnapshot(scene.world, shownBy(views))},
       thread_(SNAPSHOTS, [this] {
           drawing_.reset();
-          gpu_.reset();
+          if (gpu_) gpu_->leave();
       })
 {
+    gpu_ = Gpu::sharingWith(gpu);
     // Meanwhile the solver's kernels are compiled.
-    thread_.push([this, &gpu, &scene, &views, &sinks, timed] {
-        gpu_ = Gpu::sharingWith(gpu);
+    thread_.push([this, &scene, &views, &sinks, timed] {
+        gpu_->enter();
         drawing_ = std::make_unique<DrawingHere>(*gpu_, scene, views, sinks, timed);
     });
 }

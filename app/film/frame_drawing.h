@@ -97,8 +97,8 @@ private:
 
     std::array<FrameSnapshot, SNAPSHOTS> snapshots_;
     size_t next_ = 0;
-    // Made, used and destroyed on the thread; a caller that has waited for it may read figures.
-    std::unique_ptr<Gpu> gpu_;
+    std::unique_ptr<Gpu> gpu_;  ///< Current on the thread.
+    /// Made, used and destroyed on the thread; a caller that has waited for it may read figures.
     std::unique_ptr<DrawingHere> drawing_;
     TaskThread thread_;
 };

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <mutex>
 
 #include "app/compare/compare_run.h"
 #include "app/golden/golden_images.h"
@@ -178,6 +180,44 @@ private:
     std::vector<GoldenItem> items_;
 };
 
+/// Contexts that threads use in turn, one at a time each.
+class ThreadContexts {
+public:
+    ThreadContexts(const Gpu& gpu, size_t count)
+    {
+        while (free_.size() < count) free_.push_back(Gpu::sharingWith(gpu));
+    }
+
+    /// One of them, current on this thread for as long as this lives.
+    class Use {
+    public:
+        explicit Use(ThreadContexts& all) : all_(all)
+        {
+            const std::lock_guard lock(all_.mutex_);
+            gpu_ = std::move(all_.free_.back());
+            all_.free_.pop_back();
+            gpu_->enter();
+        }
+        ~Use()
+        {
+            gpu_->leave();
+            const std::lock_guard lock(all_.mutex_);
+            all_.free_.push_back(std::move(gpu_));
+        }
+        Use(const Use&) = delete;
+        Use& operator=(const Use&) = delete;
+        Gpu* gpu() const { return gpu_.get(); }
+
+    private:
+        ThreadContexts& all_;
+        std::unique_ptr<Gpu> gpu_;
+    };
+
+private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Gpu>> free_;
+};
+
 }  // namespace
 
 bool CheckedGolden::failed() const
@@ -211,10 +251,14 @@ std::unique_ptr<Gpu> openFor(const std::vector<Golden>& goldens, const CommonOpt
 
 void forEachGolden(size_t count, const Gpu* gpu, const std::function<void(size_t, Gpu*)>& act)
 {
-    forEachParallel(count, usableCores(), [&](size_t i) {
-        const auto own = gpu != nullptr ? Gpu::sharingWith(*gpu) : nullptr;
-        act(i, own.get());
+    const auto threads = static_cast<unsigned>(std::min<size_t>(usableCores(), count));
+    if (gpu == nullptr) return forEachParallel(count, threads, [&](size_t i) { act(i, nullptr); });
+    ThreadContexts contexts(*gpu, threads);
+    forEachParallel(count, threads, [&](size_t i) {
+        const ThreadContexts::Use own(contexts);
+        act(i, own.gpu());
     });
+    gpu->enter();
 }
 
 void noteRemedy(const Golden& golden, ReportEntry& entry)

@@ -45,11 +45,12 @@ LiveDrawing::LiveDrawing(Gpu& gpu, const Scene& scene, const ParticleView& view,
     : world_(scene.world), settings_(liveSettings(scene)), feed_(feed), snapshot_(world_, {settings_})
 {
     try {
+        gpu_ = Gpu::sharingWith(gpu);
         thread_ = std::make_unique<TaskThread>(1, [this] {
             renderer_.reset();
-            gpu_.reset();
+            gpu_->leave();
         });
-        thread_->push([&] { gpu_ = Gpu::sharingWith(gpu); });
+        thread_->push([this] { gpu_->enter(); });
         thread_->drain();
     } catch (const DeviceError&) {
         thread_.reset();

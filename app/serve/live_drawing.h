@@ -49,9 +49,8 @@ private:
     mutable std::mutex mutex_;  ///< Of camera_.
     std::atomic<bool> idle_ = true;
     std::atomic<double> seconds_ = 0.0;
-    // Made, used and destroyed on the thread, if there is one.
-    std::unique_ptr<Gpu> gpu_;
-    std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<Gpu> gpu_;            ///< Current on the thread, if there is one.
+    std::unique_ptr<Renderer> renderer_;  ///< Made, used and destroyed there.
     std::unique_ptr<TaskThread> thread_;
 };
 

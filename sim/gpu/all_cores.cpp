@@ -59,7 +59,7 @@ private:
 
 using Contexts = std::vector<std::unique_ptr<Gpu>>;
 
-/// As many contexts beside `gpu`'s as can be had, at most `count`. `gpu`'s stays current.
+/// As many contexts beside `gpu`'s as can be had, at most `count`.
 Contexts contextsBeside(const Gpu& gpu, size_t count)
 {
     Contexts contexts;
@@ -68,7 +68,6 @@ Contexts contextsBeside(const Gpu& gpu, size_t count)
     } catch (const std::exception&) {
         // There is no further context: the others do its part.
     }
-    gpu.enter();
     return contexts;
 }
 

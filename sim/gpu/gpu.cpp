@@ -133,6 +133,7 @@ std::unique_ptr<Gpu> Gpu::sharingWith(const Gpu& other)
     gpu->threads_ = other.threads_;
     gpu->egl_->context = egl::createSharing(other.egl_->context);
     gpu->watchErrors();
+    other.enter();
     return gpu;
 }
 

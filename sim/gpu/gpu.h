@@ -46,7 +46,7 @@ struct DeviceLimits {
 /// Every EGL device, with a context tried on each. Never throws for a device that cannot be used.
 std::vector<DeviceInfo> listDevices();
 
-/// One headless OpenGL 4.3 core context, current on the thread that made it until that leaves it.
+/// One headless OpenGL 4.3 core context, current on the thread that made it.
 ///
 /// GL debug messages of high severity become a DeviceError at the next checkErrors().
 class Gpu {
@@ -54,8 +54,9 @@ public:
     /// @param work of a frame, which determines a software driver's threads; without it the driver chooses.
     /// @throws DeviceError, with the reason, if no device fits or the context lacks a needed limit.
     explicit Gpu(const DeviceChoice& choice = {}, std::string shaderFolder = {}, std::optional<FrameWork> work = {});
-    /// A second context, current on this thread, that shares buffers, textures and fences with `other`, which lives on
-    /// its own thread and outlives this one. Vertex arrays, framebuffers and queries are not shared.
+    /// A second context that shares buffers, textures and fences with `other`, which outlives it, is current on this
+    /// thread and stays so. The second is current nowhere: the thread that is to use it enters it, and leaves it before
+    /// its end. Vertex arrays, framebuffers and queries are not shared.
     /// @throws DeviceError when the driver refuses.
     static std::unique_ptr<Gpu> sharingWith(const Gpu& other);
     ~Gpu();

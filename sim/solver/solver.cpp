@@ -42,7 +42,7 @@ struct Solver::Impl {
     void record()
     {
         load();
-        Recorder recorder(timer, stages.dispatches);
+        Recorder recorder = stages.recorder(timer);
         if (!started) recordStart(stages, recorder);
         started = true;
         recordStep(stages, world.settings, recorder);
@@ -211,7 +211,7 @@ void Solver::carryOver(const Solver& other, const Counterparts& same, uint64_t s
     const auto substep = static_cast<uint32_t>(steps * impl_->world.settings.substeps);
     loadState({true, carriedOver({other.impl_->world, from}, {impl_->world, to}, same, substep)});
     impl_->load();
-    Recorder recorder(impl_->timer, to.dispatches);
+    Recorder recorder = to.recorder(impl_->timer);
     if (to.fluidWatch) to.fluidWatch->begin(recorder);
 }
 

@@ -227,6 +227,11 @@ void Stages::checkSizes()
         for (const Stage::Pass* pass : stage->passes()) pass->checkSizes(gpu_);
 }
 
+Recorder Stages::recorder(KernelTimer& timer) const
+{
+    return {timer, dispatches, gpu_.device().software ? EmptyPasses::LeaveOut : EmptyPasses::Dispatch};
+}
+
 StagesState Stages::save()
 {
     return {parameters, table().saveState()};

@@ -61,6 +61,8 @@ public:
     void load(const StagesState& state);
     /// The buffers of all stages, with the names that kernels use.
     BufferTable table();
+    /// Of passes of these stages; leaves out empty ones on a software driver.
+    Recorder recorder(KernelTimer& timer) const;
     /// Uploads the parameters again after a change: for tests.
     void uploadParameters() { step.upload(std::span<const gpu::StepParameters>(&parameters, 1)); }
 

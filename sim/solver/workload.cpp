@@ -13,7 +13,8 @@ constexpr double LOOSE_MICROSECONDS = 2.0;  // grains, cloth, soft bodies
 constexpr double FLUID_MICROSECONDS = 0.75;
 constexpr double PAPER_MICROSECONDS = 0.25;  // in one iteration
 
-constexpr double SEARCH_DISPATCHES = 22.0;  // with prediction and finish
+/// With prediction and finish; a search, which is more than half of it, is due in each second or third substep.
+constexpr double SEARCH_DISPATCHES = 14.0;
 constexpr double FLUID_DISPATCHES = 8.0;
 
 /// Dispatches of one iteration of the paper's solver; eq. 10 halves a body's links step by step, for centres and for

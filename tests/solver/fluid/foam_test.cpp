@@ -59,12 +59,12 @@ public:
     explicit FoamRun(const Tank& tank) : world(tankWorld(tank)), stages(gpu(), world)
     {
         stages.load();
-        Recorder recorder(timer_, stages.dispatches);
+        Recorder recorder = stages.recorder(timer_);
         recordStart(stages, recorder);
     }
     void steps(int count)
     {
-        Recorder recorder(timer_, stages.dispatches);
+        Recorder recorder = stages.recorder(timer_);
         for (int k = 0; k < count; ++k) recordStep(stages, world.settings, recorder);
         EXPECT_EQ(stages.counters.download()[0].problems, 0u);
     }

@@ -45,7 +45,7 @@ std::vector<uint32_t> formsOf(const std::vector<Vector3f>& places)
     Stages stages(gpu(), world);
     stages.load();
     KernelTimer timer;
-    Recorder recorder(timer, stages.dispatches);
+    Recorder recorder = stages.recorder(timer);
     recordStart(stages, recorder);
     return stages.forms->fluidForms.download();
 }
