@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cctype>
 
 #include "sim/base/errors.h"
@@ -72,6 +73,15 @@ void checkBlock(GLuint program, GLuint block, const std::string& name, const Ele
     if (bytes == static_cast<GLint>(element.bytes) && sameType) return;
     throw DeviceError(fmt::format("{} declares the block \"{}\" with elements of {} bytes{}; the host's have {}", user,
                                   name, bytes, sameType ? "" : " and of another type", element.bytes));
+}
+
+/// A small size for which llvmpipe compiles the same code: it asks whether a texture's size is a power of two, and takes
+/// the second byte of a buffer's size, of an image the lowest, for levels of a picture, which it asks whether they are 0.
+size_t sizeLike(size_t bytes)
+{
+    const size_t levels = ((bytes & 0xffu) != 0 ? 0x10u : 0u) + ((bytes & 0xff00u) != 0 ? 0x100u : 0u);
+    const size_t size = levels != 0 ? levels : 0x10000u;
+    return std::has_single_bit(size) && !std::has_single_bit(bytes) ? 3 * size : size;
 }
 
 }  // namespace
@@ -174,22 +184,43 @@ void Bindings::checkSizes(const Gpu& gpu, const std::string& user) const
                 check(*sampled.buffer, static_cast<uint64_t>(gpu.limits().textureBufferSize) * sampled.texelBytes);
 }
 
-void Bindings::bind() const
+const RawBuffer& Placeholders::of(const RawBuffer& buffer, GLenum format)
+{
+    const size_t bytes = sizeLike(buffer.bytes());
+    RawBuffer& made = made_[{format, bytes}];
+    if (made.id() == 0) made = RawBuffer("placeholder", bytes);
+    return made;
+}
+
+template <typename As>
+void Bindings::bindAs(const As& as) const
 {
     glUseProgram(program_);
-    for (GLuint i = 0; i < storage_.size(); ++i) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, storage_[i]->id());
-    for (GLuint i = 0; i < uniforms_.size(); ++i) glBindBufferBase(GL_UNIFORM_BUFFER, i, uniforms_[i]->id());
+    for (GLuint i = 0; i < storage_.size(); ++i)
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, as(*storage_[i], GL_NONE).id());
+    for (GLuint i = 0; i < uniforms_.size(); ++i)
+        glBindBufferBase(GL_UNIFORM_BUFFER, i, as(*uniforms_[i], GL_NONE).id());
     // Making a buffer's texture changes the active unit: so images come first, and each sampler selects its unit.
     for (GLuint i = 0; i < images_.size(); ++i)
-        glBindImageTexture(i, images_[i].buffer->texture(images_[i].format), 0, GL_FALSE, 0, GL_READ_WRITE,
-                           images_[i].format);
+        glBindImageTexture(i, as(*images_[i].buffer, images_[i].format).texture(images_[i].format), 0, GL_FALSE, 0,
+                           GL_READ_WRITE, images_[i].format);
     for (GLuint i = 0; i < samplers_.size(); ++i) {
         const Sampled& sampled = samplers_[i];
         glActiveTexture(GL_TEXTURE0 + i);
         const GLuint texture = sampled.picture != nullptr ? sampled.picture->id()
-                                                          : sampled.buffer->texture(sampled.format);
+                                                          : as(*sampled.buffer, sampled.format).texture(sampled.format);
         glBindTexture(sampled.picture != nullptr ? GL_TEXTURE_2D : GL_TEXTURE_BUFFER, texture);
     }
+}
+
+void Bindings::bind() const
+{
+    bindAs([](const RawBuffer& own, GLenum) -> const RawBuffer& { return own; });
+}
+
+void Bindings::bind(Placeholders& others) const
+{
+    bindAs([&](const RawBuffer& own, GLenum format) -> const RawBuffer& { return others.of(own, format); });
 }
 
 }  // namespace knuckle

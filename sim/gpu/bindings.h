@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,16 @@ namespace knuckle {
 /// {"cell", "fluidCell"}: a program that declares "cellStarts" gets "fluidCellStarts". So kernels that work on buffers
 /// of two kinds use one name.
 using Renames = std::vector<std::pair<std::string, std::string>>;
+
+/// Small buffers instead of those of a table, of a context that shares them with no other: while kernels are compiled.
+class Placeholders {
+public:
+    /// @param format of its texture; GL_NONE for none.
+    const RawBuffer& of(const RawBuffer& buffer, GLenum format);
+
+private:
+    std::map<std::pair<GLenum, size_t>, RawBuffer> made_;  ///< By format and size.
+};
 
 /// Resources of a program: its storage blocks, uniform blocks, samplers and images of buffers, each found in a table by
 /// its name. Refers to the buffers and textures: after an assignment to one, it binds the new one by itself.
@@ -29,6 +40,8 @@ public:
     void checkSizes(const Gpu& gpu, const std::string& user) const;
     /// Binds all for the next dispatch or draw call.
     void bind() const;
+    /// Binds others than its buffers, for which a driver compiles the same code.
+    void bind(Placeholders& others) const;
 
 private:
     struct Sampled {
@@ -41,6 +54,9 @@ private:
     void findUniforms(const BufferTable& table, const std::string& user);
     void findSamplers(const BufferTable& table, const std::string& user);
     void findImages(const BufferTable& table, const std::string& user);
+    /// @param as gives the buffer that is bound for one of these with that format.
+    template <typename As>
+    void bindAs(const As& as) const;
 
     /// Name in the table of an active resource.
     std::string resourceName(GLenum interface, GLuint index) const;

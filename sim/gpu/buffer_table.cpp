@@ -75,12 +75,6 @@ BufferTable BufferTable::only(const std::vector<std::string>& names, const std::
     return part;
 }
 
-void BufferTable::makeTextures() const
-{
-    for (const auto& [name, entry] : entries_)
-        if (entry.buffer->id() != 0) entry.buffer->texture(texelFormat(entry.element));
-}
-
 BufferState BufferTable::saveState() const
 {
     BufferState state;

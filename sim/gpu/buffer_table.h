@@ -97,8 +97,6 @@ public:
     const Texture& findTexture(const std::string& name, const std::string& user) const;
     /// A table of only the named buffers and textures, for a pass that uses nothing else.
     BufferTable only(const std::vector<std::string>& names, const std::string& user) const;
-    /// Makes the texture of each buffer, which is otherwise made at its first use: before several threads use them.
-    void makeTextures() const;
     /// Stalls until the GPU is done.
     BufferState saveState() const;
     /// Writes nothing if it throws. @throws std::logic_error if the state is not of the same buffers, or of other

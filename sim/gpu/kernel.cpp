@@ -95,8 +95,13 @@ void Kernel::dispatchIndirect(KernelTimer& timer, const RawBuffer& arguments, ui
 
 void Kernel::compile() const
 {
-    KernelTimer none;
-    dispatchIndirect(none, Buffer<gpu::uvec4>("noGroups", 1), 0);
+    // Not its own buffers: when two contexts use a buffer texture for the first time at once, Mesa 22.3 loses count of
+    // who uses it, and later writes to what it has freed.
+    Placeholders others;
+    bindings_.bind(others);
+    const Buffer<gpu::uvec4> noGroups("noGroups", 1);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, noGroups.id());
+    glDispatchComputeIndirect(0);
 }
 
 uint32_t groupsFor(uint64_t threads)

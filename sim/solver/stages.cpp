@@ -194,7 +194,6 @@ Defines Stages::worldDefines() const
 void Stages::load(const std::vector<Stage*>& stages)
 {
     const BufferTable buffers = table();
-    buffers.makeTextures();
     const Defines common = worldDefines();
     std::vector<Stage::Pass*> passes;
     for (const Stage* stage : stages)

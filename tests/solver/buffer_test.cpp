@@ -4,7 +4,6 @@
 #include <functional>
 #include <numeric>
 
-#include "shared/counters.h"
 #include "sim/base/errors.h"
 #include "sim/gpu/kernel.h"
 #include "tests/message_of.h"
@@ -116,30 +115,5 @@ TEST_F(BufferOrder, AKernelSeesNothingOfWhatIsWrittenAfterIt)
 }
 
 }  // namespace
-
-/// Threads that share the table then only read what textures there are.
-TEST(BufferTable, MakesTexturesOfItsElements)
-{
-    gpu();
-    Buffer<float> numbers("numbers", 3);
-    Buffer<gpu::uvec2> ranges("ranges", 3);
-    Buffer<gpu::vec4> places("places", 3);
-    Buffer<gpu::Counters> structs("structs", 3);
-    Buffer<uint32_t> unmade;
-    BufferTable table;
-    table.add(Lifetime::Scratch, numbers, ranges, places, structs);
-    table.add("unmade", unmade, elementType<uint32_t>(), Lifetime::Scratch);
-    table.makeTextures();
-    const std::pair<const RawBuffer*, GLint> wanted[] = {
-        {&numbers, GL_R32F}, {&ranges, GL_RG32UI}, {&places, GL_RGBA32F}, {&structs, GL_RGBA32UI}};
-    for (const auto& [buffer, format] : wanted) {
-        // The format that is asked for now counts no more.
-        glBindTexture(GL_TEXTURE_BUFFER, buffer->texture(GL_R8));
-        GLint found = 0;
-        glGetTexLevelParameteriv(GL_TEXTURE_BUFFER, 0, GL_TEXTURE_INTERNAL_FORMAT, &found);
-        EXPECT_EQ(found, format) << buffer->label();
-    }
-    glBindTexture(GL_TEXTURE_BUFFER, 0);
-}
 
 }  // namespace knuckle::test
