@@ -75,8 +75,8 @@ void checkBlock(GLuint program, GLuint block, const std::string& name, const Ele
                                   name, bytes, sameType ? "" : " and of another type", element.bytes));
 }
 
-/// A small size for which llvmpipe compiles the same code: it asks whether a texture's size is a power of two, and takes
-/// the second byte of a buffer's size, of an image the lowest, for levels of a picture, which it asks whether they are 0.
+/// A small size for which llvmpipe compiles the same code. It asks whether a texture's size is a power of two, and
+/// whether levels of a picture are 0, for which it takes the second byte of a buffer's size, of an image's the lowest.
 size_t sizeLike(size_t bytes)
 {
     const size_t levels = ((bytes & 0xffu) != 0 ? 0x10u : 0u) + ((bytes & 0xff00u) != 0 ? 0x100u : 0u);
