@@ -41,7 +41,7 @@ enum class EmptyPasses { Dispatch, LeaveOut };
 /// Records the passes of a step.
 class Recorder {
 public:
-    /// @param sizes SolverStages::dispatches.
+    /// @param sizes Stages::dispatches.
     Recorder(KernelTimer& timer, const RawBuffer& sizes, EmptyPasses empty)
         : timer_(timer), sizes_(sizes), empty_(empty)
     {

@@ -28,8 +28,8 @@ struct Context {
 
 /// A GL 4.3 core context on `device`, current on this thread. On failure the context is empty and `problem` says why.
 Context create(const Device& device, std::string& problem);
-/// A context on this thread that shares buffers, textures and fences with `other`, which may be current on another one.
-/// @throws DeviceError when the driver refuses.
+/// A context that shares buffers, textures and fences with `other`, current on this thread instead of it.
+/// @throws DeviceError when the driver refuses; `other` then stays current.
 Context createSharing(const Context& other);
 /// Makes it current on this thread instead of another context. @throws DeviceError when the driver refuses.
 void enter(const Context& context);
