@@ -9,7 +9,7 @@ const mat3 AGX_OUT = mat3(1.19687900512017, -0.0528968517574562, -0.052971635514
                           -0.0990297440797205, -0.0989611768448433, 1.15107367264116);
 const float AGX_LOW = -12.47393;    // binary logarithms of light
 const float AGX_HIGH = 4.026069;
-const int HALVINGS = 16;
+const int BISECTIONS = 16;
 
 vec3 agxCurve(vec3 x)
 {
@@ -25,7 +25,7 @@ vec3 displayed(vec3 light)
 vec3 lightOf(vec3 shown)
 {
     vec3 wanted = inverse(AGX_OUT) * shown, low = vec3(0.0), high = vec3(1.0);
-    for (int k = 0; k < HALVINGS; ++k) {
+    for (int k = 0; k < BISECTIONS; ++k) {
         vec3 middle = 0.5 * (low + high), above = vec3(greaterThan(agxCurve(middle), wanted));
         high = mix(high, middle, above);
         low = mix(middle, low, above);
