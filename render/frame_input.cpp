@@ -8,6 +8,7 @@
 #include "render/picture/render_targets.h"
 #include "render/quantities/color_scale.h"
 #include "render/spheres/sphere_pass.h"
+#include "render/view/bounds_margin.h"
 #include "sim/base/angles.h"
 
 namespace knuckle {
@@ -78,6 +79,7 @@ gpu::FrameInput frameInput(const World& world, const RenderSettings& settings, c
     input.groundFade = (isStudio ? STUDIO_FADE : FADE) * extent.size;
     input.resolveFactor = settings.antialiasing;
     input.cameraClearance = CLEARANCE * extent.size;
+    input.boundsMargin = boundsMargin(world, extent.size);
     return input;
 }
 
@@ -92,8 +94,8 @@ void describeParticles(gpu::FrameInput& input, const ParticleView& view, bool ha
 
 void placeCamera(gpu::FrameInput& input, const Camera& camera, const CameraAim& aim, float passed)
 {
-    input.cameraPosition = vec4Of(aim.position);
-    input.cameraTarget = vec4Of(aim.target);
+    input.cameraPosition = vec4Of(aim.position, camera.followedAway().x());
+    input.cameraTarget = vec4Of(aim.target, camera.followedAway().y());
     input.cameraTurn = vec4Of(aim.turn);
     input.cameraMode = camera.mode();
     input.followedBodyStart = camera.followed().start;

@@ -8,7 +8,7 @@
 #include "app/files/actor_check.h"
 #include "app/files/actor_file.h"
 #include "app/files/assets.h"
-#include "app/film/scene_sky.h"
+#include "app/film/complete_picture.h"
 #include "app/run/counted.h"
 #include "app/run/tell.h"
 #include "app/scene/scene_file.h"
@@ -37,7 +37,7 @@ std::string contentsOf(const World& world)
 void checkScene(const std::string& path, const std::vector<Override>& overrides, bool quiet)
 {
     Scene scene = loadScene(findAsset(path), overrides);
-    readSkyOf(scene);
+    completePicture(scene);
     const std::unique_ptr<Branch> branch = openBranch(scene);
     if (quiet) return;
     if (branch) fmt::print("{}: note: {}\n", path, branch->note());

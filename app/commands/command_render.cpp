@@ -14,7 +14,7 @@
 #include "app/files/assets.h"
 #include "app/film/film_outputs.h"
 #include "app/film/replay.h"
-#include "app/film/scene_sky.h"
+#include "app/film/complete_picture.h"
 #include "app/json/enum_words.h"
 #include "app/run/progress.h"
 #include "app/run/tell.h"
@@ -143,8 +143,9 @@ int renderScene(const RenderOptions& options, const CommonOptions& common, std::
         scene = preview->scene;
         film.frames.stride = std::max(film.frames.stride, preview->stride);
     }
-    readSkyOf(scene);
+    completePicture(scene);
     changePicture(scene, options, film);
+    requireDrawable(scene);
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", named, warning));

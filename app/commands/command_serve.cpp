@@ -5,7 +5,7 @@
 #include "app/commands/command_options.h"
 #include "app/commands/commands.h"
 #include "app/files/assets.h"
-#include "app/film/scene_sky.h"
+#include "app/film/complete_picture.h"
 #include "app/run/tell.h"
 #include "app/serve/ball.h"
 #include "app/serve/live_run.h"
@@ -53,7 +53,7 @@ std::unique_ptr<ServedScene> load(const ServeWords& words, const CommonOptions& 
     if (words.ball > 0.0) overrides.push_back(ballOf(words.ball));
     for (const std::string& text : sets) overrides.push_back(parseOverride(text, "restart: "));
     auto served = std::make_unique<ServedScene>(ServedScene{loadScene(findAsset(words.scene), overrides), {}});
-    readSkyOf(served->scene);
+    completePicture(served->scene);
     if (!common.quiet)
         for (const std::string& warning : served->scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", words.scene, warning));

@@ -29,6 +29,29 @@ bool isFilm(const std::string& path)
                                  place.given, choiceOf(FILM_ENDINGS)));
 }
 
+namespace {
+
+/// Fails where an option is of a kind of pictures that no output is.
+void requireTakers(const FilmOptions& film)
+{
+    if (film.outputs.empty()) return;
+    const auto none = [&](bool jpeg) {
+        return std::ranges::none_of(film.outputs, [&](const std::string& path) {
+            return !isFilm(path) && FrameNames::of(path).areJpeg() == jpeg;
+        });
+    };
+    if (film.depth != 8 && none(false))
+        throw InputError(fmt::format("--depth {}: no output is of PNG frames, which alone have it; add -o with a "
+                                     "folder, or leave it out",
+                                     film.depth));
+    if (film.quality != DEFAULT_QUALITY && none(true))
+        throw InputError(fmt::format("--quality {}: a number is of JPEG frames, and no output is one; name frames "
+                                     "NAME_####.jpg, or take draft, good or final",
+                                     film.quality));
+}
+
+}  // namespace
+
 void checkOutputs(const FilmOptions& film)
 {
     for (const std::string& path : film.outputs)
@@ -40,6 +63,7 @@ void checkOutputs(const FilmOptions& film)
         throw InputError(fmt::format("--pipe {}: must be {}", film.pipe, choiceOf(PIPE_WORDS)));
     if (!film.pipe.empty() && std::ranges::none_of(film.outputs, isStream))
         throw InputError(fmt::format("--pipe {}: no output is a stream; add -o -", film.pipe));
+    requireTakers(film);
     if (film.codec.empty()) return;
     if (!isCodec(film.codec)) throw InputError(fmt::format("--codec {}: must be h264, h265, av1 or vp9", film.codec));
     const bool asked = std::ranges::any_of(film.outputs, [&](const std::string& path) {

@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "app/files/assets.h"
-#include "app/film/scene_sky.h"
+#include "app/film/complete_picture.h"
 #include "sim/base/errors.h"
 
 namespace knuckle {
@@ -16,7 +16,7 @@ Scene loadGoldenScene(const Golden& golden, const std::vector<Override>& changes
     std::vector<Override> all = golden.changes;
     all.insert(all.end(), changes.begin(), changes.end());
     Scene scene = loadScene(findAsset(golden.scene), all);
-    readSkyOf(scene);
+    completePicture(scene);
     if (scene.start)
         failAt(golden.scene, "/start", "goes on from a run's states, which goldens do not have; take it away");
     // The triangles of coarse levels depend on a library's version.

@@ -125,6 +125,8 @@ Camera::Camera(const CameraSettings& settings, const World& world, float aspect)
         const Object& object = followedObject(world, settings.follow);
         mode_ = CAMERA_FOLLOWS;
         followed_ = {object.bodyStart, object.bodyCount};
+        for (const Body& body : std::span(world.bodies).subspan(object.bodyStart, object.bodyCount))
+            followedAway_ += awayFrom(world, body) / static_cast<float>(object.bodyCount);
         const float slope = FOLLOWED_SHARE * std::tan(0.5f * settings.fieldOfView * DEGREE) * std::min(1.0f, aspect);
         // A sphere touches the view cone at a sine.
         if (settings.automatic) settings_.position *= reachOf(world, object) * std::sqrt(1.0f + 1.0f / (slope * slope));

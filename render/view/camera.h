@@ -49,6 +49,8 @@ public:
     uint32_t mode() const { return mode_; }
     /// CAMERA_FOLLOWS: the object's bodies.
     BodyRange followed() const { return followed_; }
+    /// CAMERA_FOLLOWS: where the object waits before it is there, from where it will be, in the mean of its bodies [m].
+    const Vector3f& followedAway() const { return followedAway_; }
     const CameraSettings& settings() const { return settings_; }
 
 private:
@@ -56,6 +58,7 @@ private:
     float orbitSpeed_ = 0.0f;  ///< [rad/s]
     uint32_t mode_ = CAMERA_FIXED;
     BodyRange followed_;
+    Vector3f followedAway_{0, 0, 0};
 };
 
 }  // namespace knuckle

@@ -34,8 +34,9 @@ namespace knuckle::gpu {
 
 // The one block that the host writes each frame.
 struct FrameInput {
-    vec4 cameraPosition;        // xyz [m]; CAMERA_FOLLOWS: from the object; CAMERA_FRAMES: only its direction counts
-    vec4 cameraTarget;          // xyz [m]
+    vec4 cameraPosition;        // xyz [m]; CAMERA_FRAMES: only its direction counts. CAMERA_FOLLOWS: from the object;
+                                // w: where that waits before it is there, along x [m]
+    vec4 cameraTarget;          // xyz [m]; CAMERA_FOLLOWS, w: the same along y, or 0
     vec4 cameraTurn;            // xyz: to the left, up, counter-clockwise, after the camera is aimed [rad]
     vec4 keyDirection;          // xyz towards the light, unit; w: tangent of its angular radius
     vec4 keyColor;              // rgb; w: tolerated error of a skin's level of detail [pixels]
@@ -78,7 +79,7 @@ struct FrameInput {
     float focusDistance;        // along the camera's axis [m]; 0: what it looks at, or those of focusBit
     uint focusBit;              // of framedParticles: those whose middle is sharp; 0: none
     uint cameraSolidCount;
-    float unused0;
+    float boundsMargin;         // how far drawn things stand out from their particles' spheres at most [m]
 };
 
 // A moment between two steps.
@@ -129,7 +130,7 @@ struct FrameView {
     vec4 particleHigh;
     vec4 trackedLow;            // xyz [m]: what the camera shows or follows, smoothed; kept from frame to frame. Of
                                 // named particles: where it aims, w: its distance from there [m]
-    vec4 trackedHigh;
+    vec4 trackedHigh;           // w: how far the camera is turned around what would hide that [rad]
 };
 
 // A collider with an inside, which holds off cameras that move by themselves.

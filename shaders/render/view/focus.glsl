@@ -8,7 +8,7 @@ const float NEAREST_FOCUS = 1e-3;   // [m]
 vec3 aimedAt()
 {
     if (frame.cameraMode == CAMERA_FIXED) return frame.cameraTarget.xyz;
-    if (frame.cameraMode == CAMERA_FOLLOWS) return frame.cameraTarget.xyz + view.trackedLow.xyz;
+    if (frame.cameraMode == CAMERA_FOLLOWS) return frame.cameraTarget.xyz + followedPlace();
     if (frame.cameraMode != CAMERA_LOOKS && frame.framedBit != 0u) return view.trackedLow.xyz;
     return 0.5 * (view.trackedLow.xyz + view.trackedHigh.xyz);
 }

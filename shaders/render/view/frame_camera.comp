@@ -14,21 +14,16 @@ layout(std430) buffer View { FrameView view; };
 #ifdef SOLIDS
 #include "render/view/solids.glsl"
 #else
+float freeWay(vec3 target, vec3 way) { return 1.0; }
 vec3 inFrontOfSolids(vec3 target, vec3 eye) { return eye; }
 #endif
+#include "render/view/around_solids.glsl"
 #include "render/view/framed_box.glsl"
 #ifdef FRAMED
 #include "render/view/kept_whole.glsl"
 #endif
+#include "render/view/follow.glsl"
 #include "render/view/focus.glsl"
-
-// A camera that moves by itself stays in front of floors and walls.
-vec3 inFrontOfPlanes(vec3 eye)
-{
-    for (uint i = 0u; i < frame.cameraPlaneCount; ++i)
-        eye += max(frame.cameraClearance + planes[i].w - dot(planes[i].xyz, eye), 0.0) * planes[i].xyz;
-    return eye;
-}
 
 // Where the camera sees the box; where a plane is in its way, from a side where it is not.
 vec3 placeInFront(Box box, inout vec3 back)
@@ -58,18 +53,27 @@ vec3 placeInFront(Box box, inout vec3 back)
     return eye;
 }
 
+// About how far from its middle the camera sees all of a box.
+float distanceThatFrames(Box box, vec3 back)
+{
+    vec3 centre = 0.5 * (box.low + box.high), right = perpendicular(back);
+    box.low -= centre;
+    box.high -= centre;
+    return dot(placeThatFrames(box, right, cross(back, right), back), back);
+}
+
 void main()
 {
     Box framed = framedBox();
     vec3 eye = frame.cameraPosition.xyz;
     vec3 back = normalize(eye - frame.cameraTarget.xyz);
-    if (frame.cameraMode == CAMERA_FOLLOWS) {
-        vec3 followed = tracked(followedBox()).low;
-        eye = inFrontOfSolids(followed + frame.cameraTarget.xyz, inFrontOfPlanes(eye + followed));
-    }
+    if (frame.cameraMode == CAMERA_FOLLOWS) eye = placeThatFollows(back);
     if (frame.cameraMode == CAMERA_FRAMES || frame.cameraMode == CAMERA_FRAMES_AROUND) {
+        vec3 middle = 0.5 * (framed.low + framed.high);
+        bool isNamed = frame.framedBit != 0u;
+        if (isNamed) back = turnedAround(back, turnAroundSolids(middle, distanceThatFrames(framed, back) * back));
         eye = placeInFront(framed, back);
-        if (frame.framedBit != 0u) eye = inFrontOfSolids(0.5 * (framed.low + framed.high), eye);
+        if (isNamed) eye = inFrontOfSolids(middle, eye);
     }
     if (frame.cameraMode == CAMERA_LOOKS) {
         Box seen = tracked(framed);

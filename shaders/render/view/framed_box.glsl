@@ -23,9 +23,10 @@ Box namedBox()
         most = max(most, bounds[i].framedMost);
         least = min(least, bounds[i].framedLeast);
     }
-    low -= frame.radius;
-    high += frame.radius;
-    vec4 reach = vec4(sqrt(3.0) * frame.radius);
+    float around = frame.radius + frame.boundsMargin;
+    low -= around;
+    high += around;
+    vec4 reach = vec4(sqrt(3.0) * around);
     vec4 corners = vec4(high.x + high.y + high.z, high.y + high.z - low.x, high.x + high.z - low.y,
                         high.x + high.y - low.z);
     vec4 opposite = vec4(low.x + low.y + low.z, low.y + low.z - high.x, low.x + low.z - high.y,
@@ -55,8 +56,8 @@ Box commonBox()
     vec3 mean = sum / count;
     vec3 reach = STRAY * sqrt(max(squares / count - mean * mean, 0.0));
     vec3 middle = 0.5 * (frame.shadowLimitLow.xyz + frame.shadowLimitHigh.xyz) + mean;
-    low = max(low, middle - reach) - frame.radius;
-    high = min(high, middle + reach) + frame.radius;
+    low = max(low, middle - reach) - frame.radius - frame.boundsMargin;
+    high = min(high, middle + reach) + frame.radius + frame.boundsMargin;
     vec3 size = high - low;
     // It will come down, but the picture includes a ground far below only when it comes near.
     low.y = min(low.y, max(frame.groundAlbedo.w, low.y - max(size.x, max(size.y, size.z))));
@@ -71,13 +72,6 @@ Box framedBox()
     return frame.cameraMode == CAMERA_FRAMES_AROUND ? seenAround(box) : box;
 }
 
-Box followedBox()
-{
-    vec3 sum = vec3(0.0);
-    for (uint i = 0; i < frame.followedBodyCount; ++i) sum += centres[frame.followedBodyStart + i].xyz;
-    return boxOf(sum / float(frame.followedBodyCount), sum / float(frame.followedBodyCount));
-}
-
 Box tracked(Box now)
 {
     Box before = boxOf(view.trackedLow.xyz, view.trackedHigh.xyz);
@@ -85,6 +79,6 @@ Box tracked(Box now)
     Box box = boxOf(mix(before.low, now.low, approachFraction(lessThan(now.low, before.low))),
                     mix(before.high, now.high, approachFraction(greaterThan(now.high, before.high))));
     view.trackedLow = vec4(box.low, 0.0);
-    view.trackedHigh = vec4(box.high, 0.0);
+    view.trackedHigh.xyz = box.high;
     return box;
 }

@@ -5,6 +5,15 @@
 const float GROWING = 0.12;
 const float SHRINKING = 0.6;
 const float FOLLOWING = 0.1;
+// How far behind a followed object may be at most, as a share of half the picture.
+const float BEHIND = 0.25;
+
+// A lag, bent so that it never comes to its limit and never stops abruptly.
+float bent(float lag, float limit)
+{
+    limit = max(limit, 1e-4);
+    return limit * tanh(clamp(lag / limit, -9.0, 9.0));
+}
 
 // A box whose corners are cut off across, by as much of each edge: those where x + y + z, -x + y + z, x - y + z and
 // x + y - z are largest, and those where they are smallest [m].

@@ -16,13 +16,6 @@ struct Stand {
     float distance;
 };
 
-// A lag, bent so that it never comes to its limit and never stops abruptly.
-float bent(float lag, float limit)
-{
-    limit = max(limit, 1e-4);
-    return limit * tanh(clamp(lag / limit, -9.0, 9.0));
-}
-
 // Where the sides of the view touch the box at the larger of both distances that this asks for, with the box in the
 // middle both ways.
 vec3 placeInTheMiddle(Box box, vec3 right, vec3 up, vec3 back)

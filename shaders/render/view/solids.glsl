@@ -78,9 +78,15 @@ float freeShare(CameraSolid solid, vec3 target, vec3 way)
     return share;
 }
 
-vec3 inFrontOfSolids(vec3 target, vec3 eye)
+// How far it comes because of all of them.
+float freeWay(vec3 target, vec3 way)
 {
     float share = 1.0;
-    for (uint i = 0u; i < frame.cameraSolidCount; ++i) share = min(share, freeShare(solids[i], target, eye - target));
-    return mix(target, eye, share);
+    for (uint i = 0u; i < frame.cameraSolidCount; ++i) share = min(share, freeShare(solids[i], target, way));
+    return share;
+}
+
+vec3 inFrontOfSolids(vec3 target, vec3 eye)
+{
+    return mix(target, eye, freeWay(target, eye - target));
 }

@@ -158,5 +158,26 @@ TEST(CameraSolids, UnderTheCubeOrUnseenDoNotMind)
     }
 }
 
+/// A cube beside a wall that is much larger, with a camera that is meant to stand behind that.
+TEST(CameraSolids, AreGoneAroundWhereTheyHideWhatItLooksAt)
+{
+    for (const CameraKind kind : {CameraKind::Follow, CameraKind::Fixed}) {
+        const float z = kind == CameraKind::Follow ? 0.8f : 0.4f;
+        World world = obstructed(ColliderShape::Box, {0, 0, 0}, {0, 0, z});
+        world.colliders[0].orientation.setIdentity();
+        world.colliders[0].halfExtents = {3, 3, 0.1f};
+        RenderSettings settings = watching(kind);
+        Renderer renderer(sharedGpu(), world, settings);
+        const StillBuffers buffers(world);
+        renderer.look(buffers.view(), 0.0);
+        const Vector3f eye = eyeOf(renderer);
+        for (float share = 0.05f; share <= 1.0f; share += 0.05f)
+            EXPECT_GT(colliderDistance(world, world.colliders[0], share * eye), 0.0f) << int(kind) << " " << share;
+        // A cube of 0.4 m fills 0.85 of the height from 0.85 m away.
+        const float least = kind == CameraKind::Follow ? 0.85f * Vector3f(0, 0.5f, 4).norm() : 0.8f;
+        EXPECT_GT(eye.norm(), least) << int(kind);
+    }
+}
+
 }  // namespace
 }  // namespace knuckle::test

@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "render/compare/comparison.h"
+#include "render/view/bounds_margin.h"
 #include "render/view/camera.h"
 #include "tests/message_of.h"
 #include "tests/render/render_fixture.h"
@@ -191,6 +192,68 @@ TEST(Camera, AFollowingCameraSeesItsBodyTheSameWhereverItIs)
     const PictureComparison comparison = comparePictures(pictureOf(here), pictureOf(there), edges);
     EXPECT_LT(comparison.differences.changed, SIZE * SIZE / 100);
     EXPECT_NE(pixelAt(here, SIZE / 2, SIZE / 2), pixelAt(here, 4, SIZE / 2));
+}
+
+/// The mean place of what is redder than anything else in the picture of a camera that follows it [shares of the
+/// picture from its middle]; far away if nothing is.
+float offMiddle(const Image& image)
+{
+    Eigen::Vector2f sum(0, 0);
+    float count = 0.0f;
+    for (uint32_t y = 0; y < image.height; ++y)
+        for (uint32_t x = 0; x < image.width; ++x) {
+            const Eigen::Vector3i color = pixelAt(image, x, y);
+            if (color.x() - color.z() <= 35) continue;
+            sum += Eigen::Vector2f(float(x) / float(image.width) - 0.5f, float(y) / float(image.height) - 0.5f);
+            count += 1.0f;
+        }
+    return count == 0.0f ? 9.0f : (sum / count).norm();
+}
+
+RenderSettings following()
+{
+    RenderSettings settings = automatic();
+    settings.camera.kind = CameraKind::Follow;
+    settings.camera.follow = "body 0";
+    return settings;
+}
+
+TEST(Camera, AFollowingCameraKeepsUpWithWhatIsFast)
+{
+    Gpu& gpu = sharedGpu();
+    const auto worldAt = [](double time) { return redBody(cubeLattice(2, 0.2f), {float(30.0 * time), 0, 0}); };
+    Renderer renderer(gpu, worldAt(0), following());
+    for (int frame = 0; frame <= 30; ++frame) {
+        const StillBuffers buffers(worldAt(frame / 60.0));
+        renderer.draw(buffers.view(), frame / 60.0);
+        // A quarter of half the picture's height, and it is twice as wide.
+        EXPECT_LT(offMiddle(renderer.readImage()), 0.13f) << frame;
+    }
+}
+
+TEST(Camera, AFollowingCameraAwaitsWhatIsNotThereYet)
+{
+    Gpu& gpu = sharedGpu();
+    const World there = redBody(cubeLattice(2, 0.2f), {3, 1, 0});
+    World away = there;
+    away.bodies[0].absent = true;
+    away.bodies[0].position += awayFrom(away, away.bodies[0]);
+    Renderer renderer(gpu, away, following());
+    const StillBuffers before(away), after(there);
+    renderer.look(before.view(), 0.0);
+    renderer.draw(after.view(), 1.0 / 60.0);
+    EXPECT_LT(offMiddle(renderer.readImage()), 0.02f);
+}
+
+TEST(Camera, SeesShapesThatAreLargerThanTheirParticles)
+{
+    World world = redBody({{-0.1f, 0, 0}, {0.1f, 0, 0}, {0, 0.1f, 0}, {0, -0.1f, 0}}, {0, 0, 0});
+    world.bodyShapes.push_back({.body = 0, .middle = world.bodies[0].restCentre, .radius = 0.4f});
+    // The particles stand in a plane.
+    EXPECT_NEAR(boundsMargin(world, 10.0f), 0.4f - 0.1f, 1e-5f);
+    const Framing framing(drawn(world, automatic()));
+    EXPECT_GT(std::min(framing.top, framing.bottom), 2);
+    EXPECT_GT(framing.height(), 0.6f);
 }
 
 TEST(Extent, HasAPlaneThatIsSeenAsItsGround)

@@ -1,0 +1,31 @@
+// A camera that goes along with an object.
+
+// A camera that moves by itself stays in front of floors and walls.
+vec3 inFrontOfPlanes(vec3 eye)
+{
+    for (uint i = 0u; i < frame.cameraPlaneCount; ++i)
+        eye += max(frame.cameraClearance + planes[i].w - dot(planes[i].xyz, eye), 0.0) * planes[i].xyz;
+    return eye;
+}
+
+// The mean of its bodies' centres. Before it is there, where it will be.
+vec3 followedPlace()
+{
+    vec3 sum = vec3(0.0), away = vec3(frame.cameraPosition.w, frame.cameraTarget.w, 0.0);
+    for (uint i = 0; i < frame.followedBodyCount; ++i) sum += centres[frame.followedBodyStart + i].xyz;
+    vec3 mean = sum / float(frame.followedBodyCount);
+    return away.y > 0.0 && mean.y > 0.5 * away.y ? mean - away : mean;
+}
+
+// Where it is beside what it follows. `back`: from what it looks at.
+vec3 placeThatFollows(inout vec3 back)
+{
+    vec3 now = followedPlace(), arm = frame.cameraPosition.xyz - frame.cameraTarget.xyz;
+    vec3 lag = tracked(boxOf(now, now)).low - now;
+    float limit = BEHIND * length(arm) * min(slopeOf(1.0).x, slopeOf(1.0).y), off = max(length(lag), 1e-20);
+    vec3 target = now + bent(off, limit) / off * lag + frame.cameraTarget.xyz;
+    arm = turnedAround(arm, turnAroundSolids(target, arm));
+    vec3 eye = inFrontOfSolids(target, inFrontOfPlanes(target + arm));
+    back = normalize(eye - target);
+    return eye;
+}
