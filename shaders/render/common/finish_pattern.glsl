@@ -16,9 +16,10 @@ vec3 woodColor(vec3 color, vec3 place, float width)
     return color * mix(vec3(1.08, 1.06, 1.02), vec3(0.56, 0.44, 0.34), late) * (1.0 + 0.28 * fibre);
 }
 
-// Cubes in turn, with faces half a cube from the middle of the body.
+// Cubes in turn, from the middle of the body on. A face that would lie between two of them shows the inner ones.
 vec3 checkerColor(vec3 color, vec3 place, float width)
 {
+    place *= 0.9;
     vec3 side = 1.0 - 2.0 * abs(fract(0.5 * place + 0.25) * 2.0 - 1.0);
     vec3 sharp = clamp(side / max(2.0 * width, 1e-4), -1.0, 1.0) * clamp(1.5 - width, 0.0, 1.0);
     return color * (0.62 + 0.38 * sharp.x * sharp.y * sharp.z);
