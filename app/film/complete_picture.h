@@ -4,7 +4,7 @@
 
 namespace knuckle {
 
-/// Reads the picture that a scene has for its sky, if it has one, takes colours of light from it, and requires the rest.
+/// Reads the picture that a scene has for its sky, if it has one, and takes colours of light from it.
 /// @throws InputError, one line with the file and the JSON pointer, if it cannot be read, and as requireDrawable().
 void completePicture(Scene& scene);
 

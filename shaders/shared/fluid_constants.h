@@ -19,8 +19,11 @@
 // Part of the kernel's density that is mixed into the compression that fluids carry on, whenever it is summed up; and
 // below which density it is taken as it is.
 #define FLUID_MIXING 0.01f
+// The same while weight settles before the first step.
+#define FLUID_START_MIXING 0.1f
 #define FLUID_LOOSE 0.9f
 // Part of its last move that a fluid particle repeats in the next pass before the first step. Above 0.95 it overshoots.
+// So what falls comes to 10 times what weight gives in a pass.
 #define FLUID_MOMENTUM 0.9f
 // Bounds of the compression of a fluid: the upper one limits what is corrected at a time and keeps momentum.
 #define LEAST_FLUID_ERROR -0.02f

@@ -19,10 +19,20 @@ constexpr int RELAXATIONS = 24;
 constexpr int MOST_LOOKS = 80;
 /// Fluid is at rest when no particle would start faster than this [m/s].
 constexpr float STARTS_WITH = 0.02f;
+/// Looks while weight settles: few if something falls, which would come down by a fifth of a rest distance in them,
+/// more in a tank, whose surface has to sink by what its weight presses together.
+constexpr int LEAST_SETTLING = 3, MOST_SETTLING = 6;
+/// Moves of a pass by which that is told, over what weight gives in it.
+constexpr float SETTLED = 0.5f, FALLING = 5.0f;
 /// Of Settings::vorticity: at 1, swirls lose nearly nothing.
 constexpr float VORTICITY = 0.12f;
 /// Substeps between two looks at the shapes of neighbourhoods.
 constexpr uint32_t SHAPE_SUBSTEPS = 8;
+
+bool settlesIn(const World& world)
+{
+    return !world.settings.gravity.isZero() && std::ranges::none_of(world.materials, isViscous);
+}
 
 bool hasTensionIn(const World& world)
 {
@@ -34,7 +44,7 @@ bool hasTensionIn(const World& world)
 FluidStage::FluidStage(const StageSetup& setup)
     : SlotStage(setup), confines_(setup.world.settings.vorticity > 0.0f), hasTension_(hasTensionIn(setup.world)),
       hasColliders_(!setup.world.colliders.empty()), hasSolids_(setup.layout.solidCount > 0),
-      seals_(!setup.world.bodies.empty() && !setup.world.colliders.empty())
+      seals_(!setup.world.bodies.empty() && !setup.world.colliders.empty()), settles_(settlesIn(setup.world))
 {
 }
 
@@ -170,19 +180,48 @@ void FluidStage::beginStep(Recorder& recorder) const
     perSlot(recorder, confinement_);
 }
 
+void FluidStage::listInPlace(Recorder& recorder) const
+{
+    list(recorder);
+    recorder.perElement(predictRelaxed_, parameters_.fluidCount);
+    recorder.perElement(predictSolidRelaxed_, parameters_.particleCount);
+    perSlot(recorder, shape_);
+}
+
 void FluidStage::relax(Recorder& recorder)
+{
+    makeRoom(recorder);
+    if (settles_) settle(recorder);
+}
+
+void FluidStage::makeRoom(Recorder& recorder)
 {
     const float atRest = STARTS_WITH * parameters_.substepTime;
     float largest = 2.0f * atRest;
     for (int look = 0; look < MOST_LOOKS && largest > atRest; ++look) {
-        list(recorder);
-        recorder.perElement(predictRelaxed_, parameters_.fluidCount);
-        recorder.perElement(predictSolidRelaxed_, parameters_.particleCount);
+        listInPlace(recorder);
         for (int k = 0; k < RELAXATIONS; ++k) {
             if (k + 1 == RELAXATIONS) fluidLargestPush.clear();
-            if (k == 0) perSlot(recorder, shape_);
             perSlot(recorder, densityRelaxed_);
             perSlot(recorder, pressureRelaxed_);
+        }
+        largest = std::bit_cast<float>(fluidLargestPush.download()[0]);
+    }
+}
+
+void FluidStage::settle(Recorder& recorder)
+{
+    const float weight = vectorOf(parameters_.gravity).norm() * parameters_.substepTime * parameters_.substepTime;
+    float largest = 2.0f * SETTLED * weight;
+    for (int look = 0; look < MOST_SETTLING && largest > SETTLED * weight; ++look) {
+        if (look >= LEAST_SETTLING && largest > FALLING * weight) return;
+        listInPlace(recorder);
+        slotMoves.clear();
+        for (int k = 0; k < RELAXATIONS; ++k) {
+            // Of several passes: what swings stops now and then.
+            if (k == RELAXATIONS / 2) fluidLargestPush.clear();
+            perSlot(recorder, densitySettled_);
+            perSlot(recorder, pressureSettled_);
         }
         largest = std::bit_cast<float>(fluidLargestPush.download()[0]);
     }

@@ -68,6 +68,10 @@ public:
 
 private:
     void list(Recorder& recorder) const;
+    /// Lists anew, with all where it is now.
+    void listInPlace(Recorder& recorder) const;
+    void makeRoom(Recorder& recorder);
+    void settle(Recorder& recorder);
     /// Kernels for the slots of each list (slot_lists.glsl).
     void perList(Recorder& recorder, const Kernel& free, const Kernel& walled, const Kernel& covered) const;
     /// With SOLIDS if the world has any.
@@ -76,7 +80,8 @@ private:
     Defines pressureOf(const char* list) const;
 
     bool confines_, hasTension_, hasColliders_, hasSolids_;
-    bool seals_;  ///< Bodies may lie on colliders.
+    bool seals_;    ///< Bodies may lie on colliders.
+    bool settles_;  ///< Weight acts, and no fluid is so thick that what hangs over stays.
     Pass searchPosition_{*this, "fluid/fluid_search_position", ofSolids()};
     Pass nearSolids_{*this, "fluid/fluid_near_solids", {{"FLUIDS", "1"}}, hasSolids_};
     Pass count_{*this, "common/grid/grid_count", {{"FLUIDS", "1"}}};
@@ -108,6 +113,8 @@ private:
     Pass predictSolidRelaxed_{*this, "fluid/fluid_predict_solid", {{"RELAX", "1"}}};
     Pass densityRelaxed_{*this, "fluid/pressure/fluid_density", {{"RELAX", "1"}}};
     Pass pressureRelaxed_{*this, "fluid/pressure/fluid_pressure", {{"RELAX", "1"}}};
+    Pass densitySettled_{*this, "fluid/pressure/fluid_density", {{"SETTLE", "1"}}, settles_};
+    Pass pressureSettled_{*this, "fluid/pressure/fluid_pressure", {{"SETTLE", "1"}}, settles_};
 };
 
 }  // namespace knuckle

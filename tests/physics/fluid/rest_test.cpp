@@ -58,9 +58,10 @@ TEST_P(FluidRest, ComesInEveryBasin)
             const ParticleState state = solver.readParticles();
             last = rootMeanSquareSpeed(state);
             fastest = std::max(fastest, last);
-            // It falls as it packs more closely than the lattice. Nothing may add energy; 0.5 % is the pressure energy
-            // of the deepest pool.
-            ASSERT_LT(energyOf(world, state), 1.005 * start + 1e-3) << of.name << " at " << 0.1 * k << " s";
+            // Nothing may add energy but pressure, which has a third of what fluid is too dense by, 0.7 % in the
+            // deepest pool, and noise: with the fewest substeps it keeps fluid by up to 3 % looser than it settles.
+            const double most = (GetParam() < 5 ? 1.03 : 1.007) * start + 1e-3;
+            ASSERT_LT(energyOf(world, state), most) << of.name << " at " << 0.1 * k << " s";
         }
         // With the fewest substeps the tallest is 6 % too dense, so its middle falls by that share of 0.6 m: sqrt(2 g
         // 0.036 m).
@@ -104,5 +105,22 @@ TEST(FluidEnergy, ThatBodiesGiveIsNone)
 }
 
 }  // namespace
+
+/// Weight is borne from the first step on. If pressure had to build up first, a column of the height H would swing like
+/// air in a pipe that is closed at one end: v = 8 / pi^2 g H / c sin(pi y / 2 H), c being 4 H over its period.
+TEST(FluidStart, WaterDoesNotFallInItsTank)
+{
+    Tank tank(12, 24, 12);
+    const World world = tank.builder.build();
+    Solver solver(gpu(), world);
+    double fastest = 0.0;
+    for (int k = 0; k < 18; ++k) {
+        run(solver, world, world.settings.timeStep);
+        fastest = std::max(fastest, rootMeanSquareSpeed(solver.readParticles()));
+    }
+    // A swing takes 0.21 s without that, so it would be 0.41 m/s at the surface, 0.29 m/s in the mean of squares. A
+    // quarter of that is left, and what particles move by as their lattice comes undone.
+    EXPECT_LT(fastest, 0.25 * 0.29 + 0.03);
+}
 
 }  // namespace knuckle::test

@@ -2,6 +2,7 @@
 // Mueller 2013, eqs. 8-11, with masses). Compression grows by the divergence of the moves since the last substep, with
 // the same gradients by which fluid_pressure pushes: so what is pressed gives back the work that went in. (The density
 // that kernels sum up would change where fluid only shears.) RELAX: as kernels sum it up.
+// SETTLE: the way to what they sum up is short.
 // FREE, WALLED, COVERED: one thread a slot of a list.
 #define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
@@ -15,6 +16,12 @@
 #include "sim/fluid/pressure/compression.glsl"
 #ifdef WALLS
 #include "sim/fluid/walls/sides.glsl"
+#endif
+
+#ifdef SETTLE
+#define MIXING FLUID_START_MIXING
+#else
+#define MIXING FLUID_MIXING
 #endif
 
 layout(local_size_x = GROUP_SIZE) in;
@@ -50,8 +57,11 @@ void main()
     carried = clamp(carried, LEAST_FLUID_ERROR, MOST_FLUID_ERROR);
     // New particles count as far as there was no room for them.
     carried = max(carried, min(carried + sums.added, excess));
-    float compression = mix(carried, excess, last.isNew || density < FLUID_LOOSE ? 1.0 : FLUID_MIXING);
+    float compression = mix(carried, excess, last.isNew || density < FLUID_LOOSE ? 1.0 : MIXING);
     float relaxation = FLUID_RELAXATION;
+#endif
+#ifdef SETTLE
+    x = predictedPosition(x, vec3(0));   // where the first substep expects what rests
 #endif
     imageStore(fluidPasts, int(i), pack(FluidPast(x, compression)));
     imageStore(newSlotCovers, int(k), pack(SlotCover(sides.fraction, sides.gain, sides.fastest, density)));
@@ -60,7 +70,7 @@ void main()
     // All constraints around are solved at once, each as if alone: relaxed less, they would overshoot.
     float squares = dot(all, all) + sides.opposed + sums.squares;
     float lambda = -relaxation * max(compression, 0.0) / (squares + sim.fluidSoftness);
-    SlotPressure pressure = SlotPressure(x, lambda / max(fetchMass(i).inverseMass, 1e-20) * own.even);
+    SlotPressure pressure = SlotPressure(own.position, lambda / max(fetchMass(i).inverseMass, 1e-20) * own.even);
     imageStore(newSlotPressures, int(2u * k), firstHalf(pressure));
     imageStore(newSlotPressures, int(2u * k + 1u), secondHalf(pressure));
 }

@@ -1,8 +1,7 @@
 // One thread a slot: moves its fluid particle by the pressures around it (Macklin and Mueller 2013, eq. 12, with
 // masses: a pair exchanges the impulse (lambda_i + lambda_j) grad W, so momentum is kept), ends its substep, and
 // predicts the next. RELAX: moves it without changing its velocity, and a little further along its moves of earlier
-// passes, so that what the walls press out of a column rises through it in few passes. FREE, WALLED, COVERED: one
-// thread a slot of a list.
+// passes. SETTLE: by its weight, too. FREE, WALLED, COVERED: one thread a slot of a list.
 #define UNIFORM_PARAMETERS
 #include "sim/common/kernel.glsl"
 #include "sim/common/nan_report.glsl"
@@ -20,11 +19,15 @@
 layout(local_size_x = GROUP_SIZE) in;
 FLOAT_TEXELS(positions)
 FLOAT_TEXELS(newSlotPositions)
-#ifdef RELAX
+#if defined(RELAX) || defined(SETTLE)
 READ_BUFFER(vec4, Velocities, velocities);
 #define LAST_VELOCITY(i) velocities[i]
-BUFFER(vec4, FluidPasts, fluidPasts);
 BUFFER(uint, FluidLargestPush, fluidLargestPush);
+#endif
+#if defined(RELAX)
+BUFFER(vec4, FluidPasts, fluidPasts);
+#elif defined(SETTLE)
+FLOAT_TEXELS(newSlotMoves)
 #else
 FLOAT_TEXELS(velocities)
 #define LAST_VELOCITY(i) imageLoad(velocities, int(i))
@@ -56,14 +59,22 @@ void main()
     FluidVelocity last = fluidVelocity(LAST_VELOCITY(i));
     float inverseMass = fetchMass(i).inverseMass, mass = 1.0 / max(inverseMass, 1e-20);
     vec3 push = inverseMass * impulse;
-    push *= last.timeHeld > 0.0 ? 0.0 : min(1.0, 0.25 * sim.fluidReach / max(length(push), 1e-20));
+    push *= min(1.0, 0.25 * sim.fluidReach / max(length(push), 1e-20));
+#ifdef SETTLE
+    push += predictedPosition(vec3(0), vec3(0)) + FLUID_MOMENTUM * imageLoad(newSlotMoves, int(k)).xyz;
+#endif
+    if (last.timeHeld > 0.0) push = vec3(0);
     vec4 place = imageLoad(positions, int(i));
     vec3 before = place.xyz, x = own.position + push;
 #ifdef WALLS
     x = outside(k, x);
 #endif
     imageStore(positions, int(i), withPosition(place, x));
-#ifdef RELAX
+#if defined(SETTLE)
+    imageStore(newSlotPositions, int(k), pack(SlotPosition(x, mass)));
+    imageStore(newSlotMoves, int(k), pack(SlotMove(x - before, false)));
+    atomicMax(fluidLargestPush[0], floatBitsToUint(length(x - before)));
+#elif defined(RELAX)
     fluidPasts[i].xyz = x;
     vec3 move = x - before;
     // It stays among the neighbours and walls that are listed for it, and does not go between solids that would squeeze
@@ -75,9 +86,7 @@ void main()
 #else
     vec3 v = (x - before) * (sim.damping / sim.substepTime);
     float speed = length(v);
-    if (isnan(speed) || isinf(speed)) {
-        REPORT_NAN(i);
-    }
+    if (isnan(speed) || isinf(speed)) { REPORT_NAN(i); }
     v *= min(1.0, mostSpeed(cover, length(last.velocity), speed) / max(speed, 1e-20));
     imageStore(velocities, int(i), pack(FluidVelocity(v, max(last.timeHeld - sim.substepTime, 0.0))));
     vec3 next = predictedPosition(x, v);
