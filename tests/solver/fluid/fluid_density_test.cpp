@@ -6,7 +6,6 @@
 #include "tests/solver/fluid/fluid_cover.h"
 
 namespace knuckle::test {
-
 namespace {
 
 /// Rounding of sums of some fifty neighbours in single precision, and of multipliers that are half a float.
@@ -31,7 +30,13 @@ protected:
             last.w = !fixture.isFluid(i) ? -fixture.packedTurn(i).y : isNew.back() ? 1.0f : 0.0f;
             lasts.push_back(last);
             pasts.push_back({0, 0, 0, random.between(-0.02f, 0.3f)});
+            // Drawn out along x: two elements of the trace, of which one is stored.
+            const float rate = parameters().evenSmoothing,
+                        flow = random.between(0.0f, 0.01f / parameters().substepTime);
+            gradients.push_back({std::bit_cast<uint32_t>(rate * flow) & 0xffff0000u, 0, 0, 0});
+            flows.push_back(std::sqrt(2.0) * double(std::bit_cast<float>(gradients.back().x) / rate));
         }
+        fill(f.slotGradients, fixture.inSlots(gradients));
         velocities = randomVectors(fixture.count(), 2.0f, 49);
         fill(f.slotVelocities, fixture.inSlots(velocities));
         fill(f.slotMoves, fixture.inSlots(lasts));
@@ -138,6 +143,8 @@ protected:
     FluidFixture fixture;
     std::vector<Vector3f> moves;
     std::vector<bool> isNew;
+    std::vector<gpu::uvec4> gradients;
+    std::vector<double> flows;  ///< [1/s]
     std::vector<gpu::vec4> velocities, lasts, pasts, walls, covers, solids, after;
     std::vector<Matrix3d> evens, pressures;
 };
@@ -172,7 +179,7 @@ TEST_P(FluidDensity, ShapesAreThoseOfDoublePrecision)
 TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
 {
     const double epsilon = parameters().fluidSoftness;
-    uint32_t pressed = 0, free = 0, loose = 0, besideNew = 0, besideSolids = 0, besideWalls = 0, inGap = 0;
+    uint32_t pressed = 0, free = 0, loose = 0, besideNew = 0, besideSolids = 0, besideWalls = 0, inGap = 0, flowing = 0;
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
         SCOPED_TRACE(i);
         double weights = 0.0, between = 0.0;
@@ -209,7 +216,11 @@ TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
         const double excess = bounded(share - 1.0), carried = bounded(pasts[i].w + nearer);
         const double crowded = std::max(carried, std::min(carried + added, excess));
         const bool anew = isNew[i] || share < FLUID_LOOSE;
-        const double compression = anew ? excess : crowded + FLUID_MIXING * (excess - crowded);
+        const double flow = std::max(flows[i] - double(parameters().quietSpeed) / spacing(), 0.0),
+                     byFlow = FLUID_FLOW_MIXING * parameters().substepTime * flow;
+        const double mixed = std::min<double>(FLUID_MIXING + byFlow, MOST_FLUID_MIXING);
+        flowing += flow > 0.0 && mixed < MOST_FLUID_MIXING;
+        const double compression = anew ? excess : crowded + mixed * (excess - crowded);
         ASSERT_NEAR(after[i].w, compression, 1e-3);
         ASSERT_EQ(vec3(after[i]), vec3(fixture.places[i]));
         const Vector3d all = fluid.slope + wall.slope + solid.slope;
@@ -217,11 +228,11 @@ TEST_P(FluidDensity, SharesSlopesAndMultipliersAreThoseOfDoublePrecision)
         const Matrix3d lambda = -FLUID_RELAXATION * std::max(double(after[i].w), 0.0) / under * fixture.mass(i) *
                                 evens[i];
         ASSERT_LT((pressures[i] - lambda).norm(), HALF_ROUNDING * lambda.norm() + ROUNDING / under * fixture.mass(i));
-        ++(compression > 0.0 ? pressed : free);
-        loose += anew;
+        ++(compression > 0.0 ? pressed : free), loose += anew;
         besideNew += crowded > carried;
     }
-    for (uint32_t number : {pressed, free, loose, besideNew, besideSolids, besideWalls, inGap}) EXPECT_GT(number, 20u);
+    for (uint32_t number : {pressed, free, loose, besideNew, besideSolids, besideWalls, inGap, flowing})
+        EXPECT_GT(number, 20u);
 }
 
 TEST_P(FluidDensity, NotesTheFastestSolidNearby)
@@ -258,7 +269,7 @@ TEST_P(FluidDensity, SolidsAreGivenWhatTheyGive)
     const auto impulses = fixture.stages.bodies.particleImpulses.download();
     const auto places = fixture.stages.particles.particleRanks.download();
     std::vector<Vector3d> wanted(fixture.solidCount(), Vector3d::Zero());
-    Vector3d sum = Vector3d::Zero(), got = Vector3d::Zero();
+    Vector3d sum = Vector3d::Zero(), got = sum;
     double size = 0.0;
     for (uint32_t i = fixture.solidCount(); i < fixture.count(); ++i) {
         const Vector3d along = vec3(given[i]).cast<double>();
@@ -286,5 +297,4 @@ INSTANTIATE_TEST_SUITE_P(Lattices, FluidDensity, testing::Bool(),
                          [](const auto& wrapped) { return wrapped.param ? "WrappedEarly" : "Wide"; });
 
 }  // namespace
-
 }  // namespace knuckle::test

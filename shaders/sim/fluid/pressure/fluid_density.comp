@@ -18,16 +18,23 @@
 #include "sim/fluid/walls/sides.glsl"
 #endif
 
-#ifdef SETTLE
-#define MIXING FLUID_START_MIXING
-#else
-#define MIXING FLUID_MIXING
-#endif
-
 layout(local_size_x = GROUP_SIZE) in;
 UINT_TEXELS(newSlotPressures)
 FLOAT_TEXELS(newSlotCovers)
 FLOAT_TEXELS(fluidPasts)
+
+/// The part of the kernel's error that is mixed into what a particle carries.
+float mixingOf(uint k)
+{
+#ifdef SETTLE
+    return FLUID_START_MIXING;
+#else
+    mat3 slope = fetchSlotGradient(k).slope;
+    float squares = dot(slope[0], slope[0]) + dot(slope[1], slope[1]) + dot(slope[2], slope[2]);
+    float flow = sqrt(squares) / max(sim.evenSmoothing, 1e-6) - sim.quietSpeed / sim.fluidSpacing;   // [1/s]
+    return min(FLUID_MIXING + FLUID_FLOW_MIXING * sim.substepTime * max(flow, 0.0), MOST_FLUID_MIXING);
+#endif
+}
 
 void main()
 {
@@ -57,7 +64,7 @@ void main()
     carried = clamp(carried, LEAST_FLUID_ERROR, MOST_FLUID_ERROR);
     // New particles count as far as there was no room for them.
     carried = max(carried, min(carried + sums.added, excess));
-    float compression = mix(carried, excess, last.isNew || density < FLUID_LOOSE ? 1.0 : MIXING);
+    float compression = mix(carried, excess, last.isNew || density < FLUID_LOOSE ? 1.0 : mixingOf(k));
     float relaxation = FLUID_RELAXATION;
 #endif
 #ifdef SETTLE
