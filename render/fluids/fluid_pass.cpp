@@ -34,6 +34,12 @@ FluidPass::FluidPass(const Gpu& gpu, BufferTable& table, const World& world, con
     shadow_ = DrawPass(gpu, table,
                        {"spheres/sphere_shadow", "spheres/sphere_shadow", joined({{{"SURFACE", "1"}}, map})},
                        {"sphereList", "sphereScales", "positions", "fluidMaterials"}, targets.fluidShadowMap);
+    dimsPicture_ = Texture("fluidDimsPicture", GL_RGBA16F, FLUID_SHADOW_SIZE, FLUID_SHADOW_SIZE, GL_LINEAR);
+    dimsMap_ = Framebuffer("fluid dims", {&dimsPicture_}, nullptr);
+    table.add(dimsPicture_);
+    dims_ = DrawPass(gpu, table, {"fluids/fluid_dims", "fluids/fluid_dims", joined({{{"SURFACE", "1"}}, map})},
+                     {"sphereList", "sphereScales", "positions", "fluidMaterials", "fluidLooks"}, dimsMap_);
+    dims_.setAdditive();
     bends_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", map}, {"fluidShadowPicture"},
                       targets.fluidBends);
     focus_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", joined({map, {{"COLUMNS", "1"}}})},
@@ -82,6 +88,8 @@ void FluidPass::drawShadow(KernelTimer& timer, const SphereLists& lists) const
 {
     targets_.fluidShadowMap.clear();
     lists.draw(timer, shadow_, SphereGroup::Fluid, SHADOW_DRAW);
+    dimsMap_.clear();
+    lists.draw(timer, dims_, SphereGroup::Fluid, SHADOW_DRAW);
     bends_.drawScreen(timer);
     focus_.drawScreen(timer);
 }

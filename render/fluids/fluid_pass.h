@@ -22,7 +22,7 @@ public:
     FluidPass& operator=(const FluidPass&) = delete;
 
     bool empty() const { return count_ == 0; }
-    /// Into the shadow map of fluids, and what their surface gathers of the light.
+    /// Into the shadow map of fluids, what they dim of the light, and what their surface gathers of it.
     void drawShadow(KernelTimer& timer, const SphereLists& lists) const;
     /// The surface's depth, and what light meets inside.
     void drawDepth(KernelTimer& timer, const SphereLists& lists);
@@ -44,7 +44,9 @@ private:
     RenderTargets& targets_;
     uint32_t count_;
     std::optional<UnderwaterPass> underwater_;
-    DrawPass points_, quads_, shadow_, bends_, focus_, tint_, rows_, columns_, clean_, shade_, foam_, foamShade_,
+    Texture dimsPicture_;  ///< What fluid dims of the key light (fluid_dims.frag).
+    Framebuffer dimsMap_;
+    DrawPass points_, quads_, shadow_, dims_, bends_, focus_, tint_, rows_, columns_, clean_, shade_, foam_, foamShade_,
         layer_;
 };
 
