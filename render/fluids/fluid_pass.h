@@ -37,6 +37,9 @@ private:
     void drawFront(KernelTimer& timer, const SphereLists& lists);
     /// That of its surface.
     void smooth(KernelTimer& timer) const;
+    void loadDims(const Gpu& gpu, BufferTable& table);
+    /// How many particles each one stands for in the map of what fluids dim.
+    uint32_t dimsStride() const;
     void loadShading(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings);
     void loadFoam(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings);
     void drawFoam(KernelTimer& timer, uint32_t count);
