@@ -8,8 +8,8 @@ namespace knuckle {
 
 namespace {
 
-/// Texels per side of the map of what fluids dim of the key light, and the most particles that are drawn into it, give or
-/// take one in two: of more, each one stands for several.
+/// Texels per side of the map of what fluids dim of the key light, and about how many particles at most are drawn into
+/// it: of more, each one stands for several.
 constexpr uint32_t DIMS_SIZE = 128, DIMS_POINTS = 10000;
 
 /// Of surfaces, and none while the camera is in fluid.
