@@ -8,6 +8,10 @@ namespace knuckle {
 
 namespace {
 
+/// Texels per side of the map of what fluids dim of the key light, and about how many particles at most are drawn into
+/// it: of more, each one stands for several.
+constexpr uint32_t DIMS_SIZE = 128, DIMS_POINTS = 10000;
+
 /// Of surfaces, and none while the camera is in fluid.
 Defines outside()
 {
@@ -34,6 +38,7 @@ FluidPass::FluidPass(const Gpu& gpu, BufferTable& table, const World& world, con
     shadow_ = DrawPass(gpu, table,
                        {"spheres/sphere_shadow", "spheres/sphere_shadow", joined({{{"SURFACE", "1"}}, map})},
                        {"sphereList", "sphereScales", "positions", "fluidMaterials"}, targets.fluidShadowMap);
+    loadDims(gpu, table);
     bends_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", map}, {"fluidShadowPicture"},
                       targets.fluidBends);
     focus_ = DrawPass(gpu, table, {"picture/screen", "fluids/fluid_focus", joined({map, {{"COLUMNS", "1"}}})},
@@ -48,6 +53,24 @@ FluidPass::FluidPass(const Gpu& gpu, BufferTable& table, const World& world, con
                           {"fluidWidePicture", "fluidThingPicture"}, targets.geometry);
     loadShading(gpu, table, settings);
     if (FoamStage::isNeeded(world)) loadFoam(gpu, table, settings);
+}
+
+uint32_t FluidPass::dimsStride() const
+{
+    return 1 + count_ / DIMS_POINTS;
+}
+
+void FluidPass::loadDims(const Gpu& gpu, BufferTable& table)
+{
+    dimsPicture_ = Texture("fluidDimsPicture", GL_RGBA16F, DIMS_SIZE, DIMS_SIZE, GL_LINEAR);
+    dimsMap_ = Framebuffer("fluid dims", {&dimsPicture_}, nullptr);
+    table.add(dimsPicture_);
+    const Defines defines = {{"SURFACE", "1"},
+                             {"DIMS_TEXELS", std::to_string(DIMS_SIZE) + ".0"},
+                             {"DIMS_STRIDE", std::to_string(dimsStride()) + "u"}};
+    dims_ = DrawPass(gpu, table, {"fluids/fluid_dims", "fluids/fluid_dims", defines},
+                     {"sphereScales", "positions", "fluidMaterials", "fluidLooks"}, dimsMap_);
+    dims_.setAdditive();
 }
 
 void FluidPass::loadShading(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings)
@@ -82,6 +105,8 @@ void FluidPass::drawShadow(KernelTimer& timer, const SphereLists& lists) const
 {
     targets_.fluidShadowMap.clear();
     lists.draw(timer, shadow_, SphereGroup::Fluid, SHADOW_DRAW);
+    dimsMap_.clear();
+    dims_.draw(timer, GL_POINTS, (count_ + dimsStride() - 1) / dimsStride());
     bends_.drawScreen(timer);
     focus_.drawScreen(timer);
 }

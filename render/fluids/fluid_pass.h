@@ -22,7 +22,7 @@ public:
     FluidPass& operator=(const FluidPass&) = delete;
 
     bool empty() const { return count_ == 0; }
-    /// Into the shadow map of fluids, and what their surface gathers of the light.
+    /// Into the shadow map of fluids, what they dim of the light, and what their surface gathers of it.
     void drawShadow(KernelTimer& timer, const SphereLists& lists) const;
     /// The surface's depth, and what light meets inside.
     void drawDepth(KernelTimer& timer, const SphereLists& lists);
@@ -37,6 +37,9 @@ private:
     void drawFront(KernelTimer& timer, const SphereLists& lists);
     /// That of its surface.
     void smooth(KernelTimer& timer) const;
+    void loadDims(const Gpu& gpu, BufferTable& table);
+    /// How many particles each one stands for in the map of what fluids dim.
+    uint32_t dimsStride() const;
     void loadShading(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings);
     void loadFoam(const Gpu& gpu, const BufferTable& table, const RenderSettings& settings);
     void drawFoam(KernelTimer& timer, uint32_t count);
@@ -44,7 +47,9 @@ private:
     RenderTargets& targets_;
     uint32_t count_;
     std::optional<UnderwaterPass> underwater_;
-    DrawPass points_, quads_, shadow_, bends_, focus_, tint_, rows_, columns_, clean_, shade_, foam_, foamShade_,
+    Texture dimsPicture_;  ///< What fluid dims of the key light (fluid_dims.frag).
+    Framebuffer dimsMap_;
+    DrawPass points_, quads_, shadow_, dims_, bends_, focus_, tint_, rows_, columns_, clean_, shade_, foam_, foamShade_,
         layer_;
 };
 

@@ -22,8 +22,7 @@ PicturePasses::PicturePasses(const Gpu& gpu, BufferTable& table, RenderTargets& 
                           {"depthPicture", "surfacePicture", "shadowPicture"}, targets.occlusion);
     std::vector<std::string> lit = {"depthPicture", "surfacePicture", "shadePicture", "finishes",
                                     "lightSources", "skyPicture",     "skyBlurs"};
-    if (targets.hasSurfaces())
-        lit.insert(lit.end(), {"fluidShadowPicture", "fluidFocusPicture", "fluidLooks", "fluidMaterials"});
+    if (targets.hasSurfaces()) lit.insert(lit.end(), {"fluidShadowPicture", "fluidFocusPicture", "fluidDimsPicture"});
     lighting_ = DrawPass(gpu, table, {"picture/screen", "picture/lighting", joined({looks, covering, fluids})}, lit,
                          targets.lighting);
     if (isMirror) {

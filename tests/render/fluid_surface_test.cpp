@@ -11,6 +11,7 @@ namespace {
 constexpr float SPACING = 0.04f, DEPTH = 0.5f;
 constexpr uint32_t SIZE = 240;
 constexpr float FIELD_OF_VIEW = 8.0f, DISTANCE = 6.0f;
+constexpr double FLATNESS = 0.66;  // of particles at a surface, over a ball's radius
 
 /// A pool of clear fluid 0.5 m deep, 1.2 m square, on a floor that is black up to x = edge and white beyond.
 World pool(float edge, bool wet)
@@ -44,7 +45,7 @@ std::vector<uint32_t> formsOf(const World& world)
 {
     std::vector<uint32_t> forms;
     for (const Particle& p : world.particles)
-        forms.push_back(p.position.y() > DEPTH - SPACING ? packedForm({0, 1, 0}, 0.66, 1.23) : 0);
+        forms.push_back(p.position.y() > DEPTH - SPACING ? packedForm({0, 1, 0}, FLATNESS, 1.23) : 0);
     return forms;
 }
 
@@ -68,17 +69,20 @@ double edgeIn(const Image& image, uint32_t column)
     return NAN;
 }
 
+/// The surface lies above the centres of the topmost particles, which are flat.
+const double SURFACE = SPACING * (std::round(DEPTH / SPACING) - 0.5) + FLATNESS * SURFACE_RADIUS * SPACING;
+const double FOCAL = 0.5 * SIZE / std::tan(FIELD_OF_VIEW * std::numbers::pi / 360.0);  // [pixels]
+
 /// The row at which a point of the floor is seen through fluid of a refractive index, by Snell's law.
 double rowOf(double x, double index)
 {
-    const double focal = 0.5 * SIZE / std::tan(FIELD_OF_VIEW * std::numbers::pi / 360.0);
     double low = 0.0, high = SIZE;
     for (int k = 0; k < 60; ++k) {
-        const double row = 0.5 * (low + high), tilt = 0.25 * std::numbers::pi - std::atan((row - 0.5 * SIZE) / focal);
+        const double row = 0.5 * (low + high), tilt = 0.25 * std::numbers::pi - std::atan((row - 0.5 * SIZE) / FOCAL);
         // The ray's angle from the vertical is the complement of its tilt downwards.
         const double angle = 0.5 * std::numbers::pi - tilt, height = DISTANCE * std::sqrt(0.5);
-        const double surface = -height + height * std::tan(angle);
-        const double floor = surface + DEPTH * std::tan(std::asin(std::sin(angle) / index));
+        const double surface = -height + (height + DEPTH - SURFACE) * std::tan(angle);
+        const double floor = surface + SURFACE * std::tan(std::asin(std::sin(angle) / index));
         (floor < x ? low : high) = row;
     }
     return 0.5 * (low + high);
@@ -110,6 +114,74 @@ TEST(FluidSurface, BendsLightAsSnellsLawHasIt)
     const double metre = SIZE / (2.0 * DISTANCE * std::tan(FIELD_OF_VIEW * std::numbers::pi / 360.0)) * std::sqrt(0.5);
     const double slope = deviation / metre / (0.35 * DEPTH), height = slope * 0.6 * SURFACE_RADIUS * SPACING;
     EXPECT_LT(height, 0.1 * SPACING) << "the surface is not flat: " << deviation << " pixels";
+}
+
+constexpr double BALL_RADIUS = 0.12;
+const Eigen::Vector3d BALL_CENTRE(0.0, 0.2, 0.0);
+
+/// Whether the ball is seen in a pixel, counted from the bottom, by Snell's law.
+bool showsBall(uint32_t column, uint32_t row)
+{
+    const double half = std::sqrt(0.5), index = 1.333;
+    const Eigen::Vector3d eye(-DISTANCE * half, DEPTH + DISTANCE * half, 0.0), forward(half, -half, 0.0);
+    const Eigen::Vector3d up(half, half, 0.0), right(0.0, 0.0, 1.0);
+    const Eigen::Vector3d way =
+        (FOCAL * forward + (column + 0.5 - 0.5 * SIZE) * right + (row + 0.5 - 0.5 * SIZE) * up).normalized();
+    const Eigen::Vector3d at = eye + (eye.y() - SURFACE) / -way.y() * way;
+    Eigen::Vector3d bent = way / index;
+    bent.y() = -std::sqrt(1.0 - bent.x() * bent.x() - bent.z() * bent.z());
+    return (BALL_CENTRE - at).cross(bent).norm() < BALL_RADIUS;
+}
+
+/// The number of marked pixels of the largest connected region, which is unmarked.
+int largestRegion(std::vector<bool> marked)
+{
+    int largest = 0;
+    for (uint32_t start = 0; start < marked.size(); ++start) {
+        std::vector<uint32_t> open = {start};
+        int count = 0;
+        while (!open.empty()) {
+            const uint32_t pixel = open.back();
+            open.pop_back();
+            if (pixel >= marked.size() || !marked[pixel]) continue;
+            marked[pixel] = false;
+            ++count;
+            open.insert(open.end(), {pixel + 1, pixel - 1, pixel + SIZE, pixel - SIZE});
+        }
+        largest = std::max(largest, count);
+    }
+    return largest;
+}
+
+TEST(FluidSurface, ShowsABallUnderWaterWholeAndWhereSnellsLawHasIt)
+{
+    World world = pool(0.9f, false);
+    Collider ball;
+    ball.shape = ColliderShape::Sphere;
+    ball.position = BALL_CENTRE.cast<float>();
+    ball.radius = float(BALL_RADIUS);
+    ball.color = {0.05f, 0.9f, 0.05f};
+    world.colliders.push_back(ball);
+    std::vector<Vector3f> places;
+    for (const Particle& p : pool(0.9f, true).particles) {
+        const double away = (p.position.cast<double>() - BALL_CENTRE).norm();
+        if (away > BALL_RADIUS + 0.5 * SPACING) places.push_back(p.position);
+    }
+    addFluid(world, places);
+    const Image image = drawn(world, slantedLook(), 0.0, formsOf(world));
+    std::vector<bool> green(size_t{SIZE} * SIZE);
+    int shown = 0, expected = 0, wrong = 0;
+    for (uint32_t y = 0; y < SIZE; ++y)
+        for (uint32_t x = 0; x < SIZE; ++x) {
+            const Eigen::Vector3i color = pixelAt(image, x, SIZE - 1 - y);
+            const bool ballHere = color.y() > color.x() + 40;
+            green[size_t{y} * SIZE + x] = ballHere;
+            shown += ballHere, expected += showsBall(x, y), wrong += ballHere != showsBall(x, y);
+        }
+    ASSERT_GT(expected, 2000);
+    EXPECT_GT(largestRegion(green), 0.99 * shown) << "the ball is in pieces";
+    EXPECT_NEAR(shown, expected, 0.05 * expected);
+    EXPECT_LT(wrong, 0.1 * expected);
 }
 
 /// What of a picture a drop has changed: its width, its height and how many pixels.

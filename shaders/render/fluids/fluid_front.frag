@@ -24,9 +24,11 @@ void main()
     float inverse = 1.0 / dot(ray, ray), along = dot(centre, ray) * inverse;
     vec3 miss = centre - along * ray;
     float h = radius * radius - dot(miss, miss);
-    if (h < 0.0) discard;
+    float depth = along - sqrt(max(h, 0.0) * inverse);
+    // An eye inside, or beside it in front, sees through it.
+    if (h < 0.0 || depth <= 0.0) discard;
 #ifdef LAYERS
     frontThing = uvec2(floatBitsToUint(sphere.w), thingIndex);
 #endif
-    gl_FragDepth = (along - sqrt(h * inverse)) * perFarDepth;
+    gl_FragDepth = depth * perFarDepth;
 }

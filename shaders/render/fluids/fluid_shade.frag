@@ -8,7 +8,6 @@
 #include "render/fluids/surface_slope.glsl"
 
 uniform sampler2D fluidTintPicture;
-uniform sampler2D fluidGlowPicture;
 #ifdef EMISSION
 uniform sampler2D fluidEmissionPicture;
 #endif
@@ -30,17 +29,18 @@ void main()
     vec3 n = surfaceNormal(pixel, p, crease, turned);
     vec2 at = gl_FragCoord.xy / vec2(frame.width, frame.height);
     vec4 tint = textureLod(fluidTintPicture, at, 0.0), glow = textureLod(fluidGlowPicture, at, 0.0);
-    vec2 place = seenThrough(p, refract(-toEye, n, REFRACTION), pixel, 1.3 * glow.a + frame.fluidRadius);
-    vec3 behind = lightIn(textureLod(litPicture, place, 0.0).rgb) / frame.groundColor.w;
+    BentRay bent = seenThrough(p, refract(-toEye, n, REFRACTION), pixel, glow.a);
+    vec3 behind = lightIn(textureLod(litPicture, bent.place, 0.0).rgb) / frame.groundColor.w;
 #ifdef FOG   // what is before the fluid comes last
     float clear = clearShare(p, length(p));
     behind = max(mix(frame.fog.rgb, behind, 1.0 / max(clear, 0.05)), 0.0);
 #endif
-    vec3 through = behind * exp(-tint.rgb - tint.a);
+    vec4 dims = tint * bent.longer;
+    vec3 through = behind * exp(-dims.rgb - dims.a);
     float key = max(0.7 * dot(n, view.keyInView.xyz) + 0.3, 0.0);
     vec3 light = 0.4 * key * frame.keyColor.rgb +
                  0.6 * mix(frame.groundColor.rgb, frame.skyColor.rgb, 0.5 + 0.5 * dot(n, view.upInView.xyz));
-    vec3 back = glow.rgb / max(tint.a, 1e-6) * light * (1.0 - exp(-tint.a)), mirror = reflect(-toEye, n);
+    vec3 back = glow.rgb / max(tint.a, 1e-6) * light * (1.0 - exp(-dims.a)), mirror = reflect(-toEye, n);
 #ifdef EMISSION
     vec4 sent = textureLod(fluidEmissionPicture, at, 0.0);
     back += sent.rgb / max(sent.a, 1e-6) * (1.0 - exp(-sent.a));

@@ -26,9 +26,11 @@ bool isOutside(vec3 world)
 }
 
 /// Where a ray from the camera leaves the fluid [m]; `limit` if it does not before.
-float wayInside(vec3 from, vec3 way, float limit)
+/// @param before  Gets a place just before that, where there is a surface above.
+float wayInside(vec3 from, vec3 way, float limit, out float before)
 {
-    float before = 0.0, far = limit;
+    float far = limit;
+    before = 0.0;
     for (int k = 1; k <= STEPS; ++k) {
         far = limit * float(k) / float(STEPS);
         if (isOutside(from + far * way)) break;
@@ -63,11 +65,14 @@ void main()
     FluidLook look = fetchFluidLook(texelFetch(fluidMaterials, 0).x);
     vec3 sky = mix(frame.groundColor.rgb, frame.skyColor.rgb, 0.75);
     vec3 inside = look.color * (0.4 * max(frame.keyDirection.y, 0.0) * frame.keyColor.rgb + 0.6 * sky);
-    float limit = min(scene, 3.5 * topHalfSide()), far = wayInside(from, way, limit);
+    float before, limit = min(scene, 3.5 * topHalfSide()), far = wayInside(from, way, limit, before);
     vec3 light = lightIn(texelFetch(litPicture, ivec2(gl_FragCoord.xy), 0).rgb) / frame.groundColor.w;
     if (far < limit) {
-        vec3 top = topAt(from + far * way), p = far * toward;
-        bool isTop = abs(from.y + far * way.y - top.x) < 2.0 * frame.fluidRadius;
+        vec3 top = topAt(from + before * way), p = far * toward;
+        // At a side it is below the surface just before, of which only texels with fluid know.
+        vec4 heights = textureGather(topPicture, 0.5 * topPlace(from + before * way) + 0.5);
+        float height = max(max(heights.x, heights.y), max(heights.z, heights.w));
+        bool isTop = from.y + far * way.y > height - 0.1 * frame.fluidRadius;
         vec3 n = directionToView(isTop ? normalize(vec3(-top.y, 1.0, -top.z)) : way);
         float cosine = max(dot(n, toward), 0.0), share = isTop ? thrownBack(cosine) : 0.0;
         vec3 down = reflect(toward, n), up = refract(toward, -n, INDEX);

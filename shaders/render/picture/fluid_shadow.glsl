@@ -1,9 +1,9 @@
 // How much of the key light comes through fluid.
-#include "render/common/fluid_looks.glsl"
+#include "render/common/frame_blocks.glsl"
 
 uniform sampler2D fluidShadowPicture;
 uniform sampler2D fluidFocusPicture;
-uniform usamplerBuffer fluidMaterials;
+uniform sampler2D fluidDimsPicture;
 
 // Part of the light that the surface turns away or spreads.
 const float SURFACE_LOSS = 0.25;
@@ -12,14 +12,16 @@ const float BENDING = 0.25;
 const vec2 GATHERED = vec2(0.5, 2.5);   // least and most
 
 /// The light on a plane behind a surface, over that without it: what it lit is as large as the determinant of how rays
-/// that start beside each other move apart. @param way  From there [m].
+/// that start beside each other move apart. Far behind a focus light does not stay at its place, nor is its pattern
+/// known. @param way  From there [m].
 float gathered(vec2 focus, float way)
 {
     float a = BENDING * way, spread = 1.0 - a * focus.x + a * a * focus.y;
-    return clamp(1.0 / max(abs(spread), 1e-3), GATHERED.x, GATHERED.y);
+    float far = 0.5 * a * focus.x, known = 1.0 / (1.0 + far * far * far * far);
+    return mix(1.0, clamp(1.0 / max(abs(spread), 1e-3), GATHERED.x, GATHERED.y), known);
 }
 
-/// Behind the nearest fluid as the light sees it. Of several fluids the first one's colour is taken.
+/// Behind the nearest fluid as the light sees it, of which no more counts than has been gone through.
 vec3 throughFluid(vec3 p)
 {
     vec3 place = 0.5 * viewToLight(p) + 0.5;
@@ -27,13 +29,13 @@ vec3 throughFluid(vec3 p)
     // Surfaces beyond the map's depth can be shaded, too, but not by the cleared map.
     vec4 gaps = min(place.z, 1.0) - textureGather(fluidShadowPicture, place.xy);
     vec2 between = fract(place.xy * vec2(textureSize(fluidShadowPicture, 0)) - 0.5);
-    FluidLook look = fetchFluidLook(texelFetch(fluidMaterials, 0).x);
-    vec3 absorption = look.absorption + 0.5 * look.scattering;
+    vec4 dims = textureLod(fluidDimsPicture, place.xy, 0.0);
     vec2 focus = textureLod(fluidFocusPicture, place.xy, 0.0).rg;
     vec3 lit[4];
     for (int k = 0; k < 4; ++k) {
         float way = 2.0 * view.lightDepth.x * gaps[k] - frame.fluidRadius;
-        lit[k] = way > 0.0 ? (1.0 - SURFACE_LOSS) * gathered(focus, way) * exp(-absorption * way) : vec3(1.0);
+        vec3 left = exp(-dims.rgb * min(way / max(dims.a, 1e-4), 1.0));
+        lit[k] = way > 0.0 ? (1.0 - SURFACE_LOSS) * gathered(focus, way) * left : vec3(1.0);
     }
     return mix(mix(lit[3], lit[2], between.x), mix(lit[0], lit[1], between.x), between.y);
 }

@@ -108,5 +108,35 @@ TEST(FluidCaustics, WavesGatherLightAsTheirCurvatureHasIt)
     EXPECT_NEAR(lightAt(wavy, 0.5f * LENGTH) / lightAt(flat, 0.5f * LENGTH), trough, 0.04 * trough);
 }
 
+/// Two halves of a slab dim other colours, as much as they are thick and no more for the air below them.
+TEST(FluidShadow, IsOfTheColourAndTheThicknessOfEachFluid)
+{
+    World world = wavyPool(0.0f);
+    for (Particle& p : world.particles) {
+        p.position.y() += 2.0f;
+        p.position.z() += 2.0f * std::tan(SLANT);
+        p.material = p.position.x() < 0.0f ? 0 : 1;
+    }
+    world.materials[0].color = {0.2f, 1.0f, 1.0f};
+    world.materials[1].color = {1.0f, 1.0f, 0.4f};
+    RenderSettings settings = sunlitLook();
+    settings.camera.position = {0.0f, 1.0f, 6.0f};
+    const auto picture = [&](float absorption) {
+        for (Material& material : world.materials) material.look = {DrawnAs::Surface, absorption, 0.0f};
+        return drawn(world, settings);
+    };
+    const Image clear = picture(0.0f), tinted = picture(1.0f);
+    const double way = 11 * SPACING / std::cos(SLANT);
+    for (const auto& [column, red, blue] : {std::tuple{SIZE / 4, 0.2, 1.0}, std::tuple{3 * SIZE / 4, 1.0, 0.4}}) {
+        const auto left = [&](int channel) {
+            const double lit = pixelAt(tinted, column, SIZE / 2)[channel],
+                         all = pixelAt(clear, column, SIZE / 2)[channel];
+            return std::pow(lit / all, 2.2);
+        };
+        EXPECT_NEAR(left(0), std::pow(red, way), 0.06) << column;
+        EXPECT_NEAR(left(2), std::pow(blue, way), 0.06) << column;
+    }
+}
+
 }  // namespace
 }  // namespace knuckle::test

@@ -71,6 +71,22 @@ TEST(Underwater, FluidBeforeTheCameraDimsWhatIsBehind)
     EXPECT_NEAR(ratio, left, 0.03 * left);
 }
 
+/// Below the line where they meet the sky is seen through a side, above it the surface throws back what is dark.
+TEST(Underwater, TheSurfaceMeetsASideInALine)
+{
+    RenderSettings settings = lookUp(0.3f);
+    settings.camera.target = {0.6f, 0, 0};
+    settings.camera.fieldOfView = 24.0f;
+    const Image image = drawn(cube(0.0f), settings);
+    const auto isSky = [&](uint32_t x, uint32_t y) { return lightOf(pixelAt(image, x, y).y()) > 0.15; };
+    for (uint32_t x = 1; x < SIZE; ++x) {
+        uint32_t changes = 0;
+        for (uint32_t y = 1; y < SIZE; ++y) changes += isSky(x, y) != isSky(x, y - 1);
+        EXPECT_EQ(changes, 1u) << x;
+        EXPECT_FALSE(isSky(x, 0)) << x;
+    }
+}
+
 TEST(Underwater, ACameraAboveTheSurfaceIsNotInFluid)
 {
     // A quarter of a spacing above black fluid: it mirrors 0.02 of the sky, which is 0.6 of its blue above.
