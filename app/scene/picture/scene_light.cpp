@@ -32,6 +32,15 @@ void makeClear(const JsonFile& file, LightSettings& light)
     light.groundColor = light.sky->meanOf(false);
 }
 
+/// A file, or a word that is misspelt.
+std::string skyPicture(const JsonFile& file, const std::string& sky, SceneFiles& files)
+{
+    const std::vector<std::string> words{"clear", "gradient"};
+    if (sky.find('.') == std::string::npos && !nearestWord(sky, words).empty())
+        failAt(file.path, "/light/sky", fmt::format("\"{}\" is unknown; {}", sky, suggestion(sky, words)));
+    return files.existing(sky, "/light/sky");
+}
+
 }  // namespace
 
 LightSettings readLight(const JsonFile& file, SceneFiles& files)
@@ -41,7 +50,7 @@ LightSettings readLight(const JsonFile& file, SceneFiles& files)
     if (light.direction.norm() < SHORTEST) failAt(file.path, "/light/direction", "must not be zero");
     const std::string sky = json["sky"];
     if (sky == "clear") makeClear(file, light);
-    else if (sky != "gradient") light.skyFile = files.existing(sky, "/light/sky");
+    else if (sky != "gradient") light.skyFile = skyPicture(file, sky, files);
     readIfGiven(json, "color", light.color);
     light.takesSkyColor = !readIfGiven(json, "skyColor", light.skyColor) && !light.skyFile.empty();
     light.takesGroundColor = !readIfGiven(json, "groundColor", light.groundColor) && !light.skyFile.empty();

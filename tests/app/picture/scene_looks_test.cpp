@@ -105,6 +105,8 @@ TEST(SceneLooks, MistakesAreTold)
               ": /light/direction: has a sun below the horizon, and the sky is \"clear\"; give it a y above 0");
     EXPECT_EQ(problemOf(R"("light": { "sky": "clear", "turbidity": 1 })"),
               ": /light/turbidity: 1 is below the minimum 2");
+    EXPECT_EQ(problemOf(R"("light": { "sky": "claer" })"),
+              ": /light/sky: \"claer\" is unknown; did you mean \"clear\"?");
     EXPECT_EQ(problemOf(R"("render": { "toneMap": "flim" })"),
               ": /render/toneMap: \"flim\" is unknown; did you mean \"film\"?");
     EXPECT_EQ(problemOf(R"("lights": [{ "type": "directional", "direction": [0, 0, 0] }])"),
