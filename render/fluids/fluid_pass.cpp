@@ -10,7 +10,7 @@ namespace {
 
 /// Texels per side of the map of what fluids dim of the key light, and about how many particles at most are drawn into
 /// it: of more, each one stands for several.
-constexpr uint32_t DIMS_SIZE = 128, DIMS_POINTS = 10000;
+constexpr uint32_t DIMS_SIZE = 128, DIMS_POINTS = 5000;
 
 /// Of surfaces, and none while the camera is in fluid.
 Defines outside()

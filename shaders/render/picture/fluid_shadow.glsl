@@ -31,11 +31,11 @@ vec3 throughFluid(vec3 p)
     vec2 between = fract(place.xy * vec2(textureSize(fluidShadowPicture, 0)) - 0.5);
     vec4 dims = textureLod(fluidDimsPicture, place.xy, 0.0);
     vec2 focus = textureLod(fluidFocusPicture, place.xy, 0.0).rg;
-    vec3 lit[4];
+    float most = 2.0 * view.lightDepth.x * max(max(gaps.x, gaps.y), max(gaps.z, gaps.w)) - frame.fluidRadius;
+    vec3 left = (1.0 - SURFACE_LOSS) * exp(-dims.rgb * clamp(most / max(dims.a, 1e-4), 0.0, 1.0)), lit[4];
     for (int k = 0; k < 4; ++k) {
         float way = 2.0 * view.lightDepth.x * gaps[k] - frame.fluidRadius;
-        vec3 left = exp(-dims.rgb * min(way / max(dims.a, 1e-4), 1.0));
-        lit[k] = way > 0.0 ? (1.0 - SURFACE_LOSS) * gathered(focus, way) * left : vec3(1.0);
+        lit[k] = way > 0.0 ? gathered(focus, way) * left : vec3(1.0);
     }
     return mix(mix(lit[3], lit[2], between.x), mix(lit[0], lit[1], between.x), between.y);
 }
