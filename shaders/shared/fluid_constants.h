@@ -19,8 +19,8 @@
 // Part of the kernel's density that is mixed into the compression that fluids carry on, whenever it is summed up; and
 // below which density it is taken as it is.
 #define FLUID_MIXING 0.01f
-// More of it where fluid flows around something, for what it carries goes wrong sooner there: for each change of a length
-// of fluid by itself in a substep, beyond what noise does; and at most.
+// More of it where fluid flows around something, for what it carries goes wrong sooner there: for each change of a
+// length of fluid by itself in a substep, beyond what noise does; and at most.
 #define FLUID_FLOW_MIXING 10.0f
 #define MOST_FLUID_MIXING 0.1f
 // The same while weight settles before the first step.
