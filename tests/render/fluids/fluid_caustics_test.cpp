@@ -128,7 +128,7 @@ TEST(FluidShadow, IsOfTheColourAndTheThicknessOfEachFluid)
     const Image clear = picture(0.0f), tinted = picture(1.0f);
     const double way = 11 * SPACING / std::cos(SLANT);
     for (const auto& [column, red, blue] : {std::tuple{SIZE / 4, 0.2, 1.0}, std::tuple{3 * SIZE / 4, 1.0, 0.4}}) {
-        const auto left = [&](int channel) {
+        const auto left = [&, column = column](int channel) {
             const double lit = pixelAt(tinted, column, SIZE / 2)[channel],
                          all = pixelAt(clear, column, SIZE / 2)[channel];
             return std::pow(lit / all, 2.2);
