@@ -12,10 +12,11 @@ float depthAt(ivec2 pixel)
     return texelFetch(fluidSmoothPicture, clamp(pixel, ivec2(0), last), 0).r;
 }
 
-/// The smaller change of depth to either side.
+/// The smaller change of depth to either side; none where there is fluid on neither.
 float slantAlong(ivec2 pixel, ivec2 way, float here)
 {
-    return min(abs(depthAt(pixel + way) - here), abs(depthAt(pixel - way) - here));
+    vec2 beside = vec2(depthAt(pixel + way), depthAt(pixel - way)), apart = abs(beside - here);
+    return min(beside.x, beside.y) < frame.farDepth ? min(apart.x, apart.y) : 0.0;
 }
 
 void main()
