@@ -16,7 +16,6 @@ const char* const CURVES[] = {"", "TONE_NEUTRAL", "TONE_AGX", "TONE_LINEAR"};
 struct FoamBlend {
     explicit FoamBlend(const std::string& curve)
     {
-        sharedGpu();
         gpu::FrameInput input{};
         input.groundColor.w = 1.0f;
         frame.upload({&input, 1});
@@ -24,7 +23,7 @@ struct FoamBlend {
         table.add(Lifetime::Scratch, frame, view);
         table.add(lit, foam);
         const Defines defines = curve.empty() ? Defines{} : Defines{{curve, "1"}};
-        pass = DrawPass(sharedGpu(), table, {"picture/screen", "fluids/foam_shade", defines},
+        pass = DrawPass(device, table, {"picture/screen", "fluids/foam_shade", defines},
                         {"frame", "view", "litPicture", "foamPicture"}, target);
     }
 
@@ -46,6 +45,7 @@ struct FoamBlend {
         return colors;
     }
 
+    Gpu& device = sharedGpu();  // before there are buffers
     Buffer<gpu::FrameInput> frame{"frame", 1};
     Buffer<gpu::FrameView> view{"view", 1};
     Texture lit{"litPicture", GL_RGBA32F, SIDE, SIDE}, foam{"foamPicture", GL_RGBA32F, SIDE, SIDE};
@@ -128,6 +128,25 @@ TEST(ToneMap, AgxShowsMiddleGreyInTheMiddle)
     const std::vector<Eigen::Vector3f> shown = displayed("TONE_AGX",
                                                          std::vector(COUNT, Eigen::Vector3f(0.18f, 0.18f, 0.18f)));
     EXPECT_NEAR(shown[0].y(), 0.4967f, 1.5e-3f);
+}
+
+/// All that displays has each curve beside whatever else it includes: the lit picture, fluid, a view from inside it,
+/// glass.
+TEST(ToneMap, CurvesAreDrawnWithEverything)
+{
+    StillWorld still(0.04f);
+    still.world.fluidSpacing = 0.04f;
+    still.world.materials[0].look = {DrawnAs::Surface, 1.0f, 0.0f};
+    still.addGround();
+    still.addCollider(ColliderShape::Box, {0.6f, 0.1f, 0}).finish.word = Finish::Glass;
+    addFluid(still.world, cubeLattice(8, 0.04f));
+    for (const ToneMap curve : {ToneMap::Film, ToneMap::Neutral, ToneMap::Agx, ToneMap::Linear})
+        for (const float distance : {1.5f, 0.05f}) {
+            RenderSettings settings = lookFrom({0, 0.3f * distance, distance}, {0, 0, 0}, 32, 32);
+            settings.toneMap = curve;
+            const Image image = drawn(still.world, settings);
+            EXPECT_GT(pixelAt(image, 16, 16).sum(), 0) << int(curve) << " " << distance;
+        }
 }
 
 }  // namespace
