@@ -145,7 +145,6 @@ int renderScene(const RenderOptions& options, const CommonOptions& common, std::
     }
     completePicture(scene);
     changePicture(scene, options, film);
-    requireDrawable(scene);
     if (!common.quiet)
         for (const std::string& warning : scene.warnings)
             tellUser(fmt::format("knuckle: warning: {}: {}", named, warning));

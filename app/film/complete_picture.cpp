@@ -29,14 +29,6 @@ void readSkyOf(Scene& scene)
     if (light.takesGroundColor) light.groundColor = light.sky->meanOf(false);
 }
 
-}  // namespace
-
-void completePicture(Scene& scene)
-{
-    readSkyOf(scene);
-    requireDrawable(scene);
-}
-
 void requireDrawable(const Scene& scene)
 {
     try {
@@ -53,6 +45,14 @@ void requireDrawable(const Scene& scene)
         std::ranges::replace(pointer, '.', '/');
         failAt(scene.file, pointer, message.substr(end + 2));
     }
+}
+
+}  // namespace
+
+void completePicture(Scene& scene)
+{
+    readSkyOf(scene);
+    requireDrawable(scene);
 }
 
 }  // namespace knuckle

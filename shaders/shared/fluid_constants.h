@@ -19,13 +19,13 @@
 // Part of the kernel's density that is mixed into the compression that fluids carry on, whenever it is summed up; and
 // below which density it is taken as it is.
 #define FLUID_MIXING 0.01f
-// More of it where fluid flows around something, for what it carries goes wrong sooner there: for each change of a
-// length of fluid by itself in a substep, beyond what noise does; and at most.
+#define FLUID_LOOSE 0.9f
+// More is mixed in where fluid flows around something, for what it carries goes wrong sooner there: for each change of
+// a length of fluid by itself in a substep, beyond what noise does; and at most.
 #define FLUID_FLOW_MIXING 10.0f
 #define MOST_FLUID_MIXING 0.1f
-// The same while weight settles before the first step.
+// What is mixed in while weight settles before the first step.
 #define FLUID_START_MIXING 0.1f
-#define FLUID_LOOSE 0.9f
 // Part of its last move that a fluid particle repeats in the next pass before the first step. Above 0.95 it overshoots.
 // So what falls comes to 10 times what weight gives in a pass.
 #define FLUID_MOMENTUM 0.9f

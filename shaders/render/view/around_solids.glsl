@@ -18,11 +18,11 @@ vec3 turnedAround(vec3 arm, float angle)
 float clearestTurn(vec3 target, vec3 arm, float straight, float first)
 {
     float best = straight, angle = 0.0;
-    for (int k = 1; k <= TURN_STEPS && best < OPEN; ++k)
-        for (float side = first; abs(side) <= 1.0 && best < OPEN; side = side == first ? -first : 2.0) {
-            float share = freeWay(target, turnedAround(arm, side * float(k) * TURN_STEP));
-            if (share > best + 0.05) best = share, angle = side * float(k) * TURN_STEP;
-        }
+    for (int k = 2; k < 2 * TURN_STEPS + 2 && best < OPEN; ++k) {   // to one side, to the other, further
+        float tried = (k % 2 == 0 ? first : -first) * float(k / 2) * TURN_STEP;
+        float share = freeWay(target, turnedAround(arm, tried));
+        if (share > best + 0.05) best = share, angle = tried;
+    }
     return angle;
 }
 

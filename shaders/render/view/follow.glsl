@@ -1,13 +1,5 @@
 // A camera that goes along with an object.
 
-// A camera that moves by itself stays in front of floors and walls.
-vec3 inFrontOfPlanes(vec3 eye)
-{
-    for (uint i = 0u; i < frame.cameraPlaneCount; ++i)
-        eye += max(frame.cameraClearance + planes[i].w - dot(planes[i].xyz, eye), 0.0) * planes[i].xyz;
-    return eye;
-}
-
 // The mean of its bodies' centres. Before it is there, where it will be.
 vec3 followedPlace()
 {

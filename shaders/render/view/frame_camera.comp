@@ -22,6 +22,7 @@ vec3 inFrontOfSolids(vec3 target, vec3 eye) { return eye; }
 #ifdef FRAMED
 #include "render/view/kept_whole.glsl"
 #endif
+#include "render/view/planes.glsl"
 #include "render/view/follow.glsl"
 #include "render/view/focus.glsl"
 
