@@ -7,8 +7,10 @@ struct Spheroid {
     float across;
 };
 
-// Half lengths are powers of two from -STRETCH to STRETCH, in steps of a hundredth. No word is 0: that is a ball.
+// Half lengths are powers of two from -STRETCH to STRETCH, in steps of a hundredth. No word is 0, a ball, or
+// INNER, a ball that others hide from all sides.
 const float STRETCH = 0.9, SPHEROID_STEPS = 63.0;
+const uint INNER = 1u;
 
 uint packSpheroid(Spheroid s)
 {
@@ -20,7 +22,7 @@ uint packSpheroid(Spheroid s)
 
 Spheroid unpackSpheroid(uint word)
 {
-    if (word == 0u) return Spheroid(vec3(0, 1, 0), 1.0, 1.0);
+    if (word <= INNER) return Spheroid(vec3(0, 1, 0), 1.0, 1.0);
     vec2 axis = vec2(word & 511u, word >> 9 & 511u) / 511.0 * 2.0 - 1.0;
     vec2 steps = vec2(word >> 18 & 127u, word >> 25);
     vec2 lengths = exp2(STRETCH * (steps - 64.0) / SPHEROID_STEPS);

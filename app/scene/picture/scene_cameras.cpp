@@ -146,25 +146,14 @@ private:
 
 using Cameras = std::map<std::string, CameraSettings>;
 
+/// @param cameras  With those that every scene has.
 const CameraSettings& namedCamera(const JsonFile& file, const Cameras& cameras, const std::string& name,
                                   const std::string& pointer)
 {
     if (const auto found = cameras.find(name); found != cameras.end()) return found->second;
-    const std::string remedy = cameras.empty() ? "add it to `cameras`" : suggestion(name, shortened(namesOf(cameras)));
+    const bool hasOwn = !file.root["cameras"].empty();
+    const std::string remedy = hasOwn ? suggestion(name, shortened(namesOf(cameras))) : "add it to `cameras`";
     failAt(file.path, pointer, fmt::format("there is no camera \"{}\"; {}", name, remedy));
-}
-
-/// With those that every scene has.
-Cameras readNamed(const JsonFile& file, const CameraReader& reader)
-{
-    Cameras cameras;
-    for (const auto& [name, json] : file.root["cameras"].items()) {
-        const std::string pointer = "/cameras/" + name;
-        if (name.empty() || name == AUTOMATIC || name == TURNTABLE || name.find('=') != std::string::npos)
-            failAt(file.path, pointer, fmt::format("\"{}\" is no name for a camera; choose another one", name));
-        cameras[name] = reader.read(json, pointer);
-    }
-    return cameras;
 }
 
 Cameras ofEveryScene(const JsonFile& file)
@@ -173,6 +162,19 @@ Cameras ofEveryScene(const JsonFile& file)
     turntable.kind = CameraKind::Orbit;
     turntable.orbitSpeed = 360.0f / file.root["duration"].get<float>();
     return {{AUTOMATIC, CameraSettings{}}, {TURNTABLE, turntable}};
+}
+
+/// With those that every scene has.
+Cameras readNamed(const JsonFile& file, const CameraReader& reader)
+{
+    Cameras cameras = ofEveryScene(file);
+    for (const auto& [name, json] : file.root["cameras"].items()) {
+        const std::string pointer = "/cameras/" + name;
+        if (name.empty() || name == AUTOMATIC || name == TURNTABLE || name.find('=') != std::string::npos)
+            failAt(file.path, pointer, fmt::format("\"{}\" is no name for a camera; choose another one", name));
+        cameras[name] = reader.read(json, pointer);
+    }
+    return cameras;
 }
 
 /// The cameras of a shot.
@@ -199,7 +201,7 @@ void readCameras(const JsonFile& file, const World& world, const NamedParticles&
 {
     const CameraReader reader(file, world, particles);
     render.camera = reader.read(file.root["camera"], "/camera");
-    const Cameras cameras = readNamed(file, reader);
+    render.cameras = readNamed(file, reader);
     const Json& shots = file.root["shots"];
     for (size_t i = 0; i < shots.size(); ++i) {
         const std::string pointer = fmt::format("/shots/{}", i);
@@ -207,14 +209,12 @@ void readCameras(const JsonFile& file, const World& world, const NamedParticles&
         if (i == 0 && shot.from != 0.0) failAt(file.path, pointer + "/from", "must be 0: the film begins with it");
         if (i > 0 && shot.from <= render.shots.back().from)
             failAt(file.path, pointer + "/from", "must be after that of the shot before");
-        chooseCameras(file, cameras, shots[i], pointer, shot);
+        chooseCameras(file, render.cameras, shots[i], pointer, shot);
         render.shots.push_back(std::move(shot));
     }
-    render.cameras = ofEveryScene(file);
-    render.cameras.insert(cameras.begin(), cameras.end());
     const std::string only = file.root["render"]["camera"];
     if (only.empty()) return;
-    if (!render.cameras.contains(only)) namedCamera(file, cameras, only, "/render/camera");
+    namedCamera(file, render.cameras, only, "/render/camera");
     render = filmedBy(render, only);
 }
 

@@ -6,12 +6,25 @@
 #include "render/common/sphere_bounds.glsl"
 #include "render/spheres/sphere_lists.glsl"
 #include "render/spheres/sphere_runs.glsl"
+#include "math/spheroid.glsl"
 
 layout(local_size_x = RENDER_GROUP_SIZE) in;
 uniform samplerBuffer positions;
 layout(std430) writeonly buffer SphereDrawKinds { uint drawKinds[]; };
 layout(std430) writeonly buffer SphereCounts { uvec4 counts[]; };
 layout(std430) readonly buffer BurialCells { uint cells[]; };
+#ifdef SURFACES
+uniform usamplerBuffer fluidMaterials, fluidForms;
+
+/// Whether it is a part of a surface of fluid that others of it hide.
+bool isWithinFluid(uint particle)
+{
+    return particle >= frame.solidCount && texelFetch(fluidForms, int(particle)).x == INNER &&
+           texelFetch(fluidMaterials, int(particle - frame.solidCount)).x != NO_SURFACE;
+}
+#else
+bool isWithinFluid(uint particle) { return false; }
+#endif
 
 uint howDrawn(vec3 position, float radius)
 {
@@ -38,7 +51,8 @@ void main()
     uvec3 count = uvec3(0u);
     for (uint i = run.begin; i < run.end; ++i) {
         vec4 position = texelFetch(positions, int(i));
-        uint how = isShown(i, position) ? howDrawn(position.xyz, drawnRadius(i)) : 0u;
+        bool shown = isShown(i, position) && !isWithinFluid(i);
+        uint how = shown ? howDrawn(position.xyz, drawnRadius(i)) : 0u;
         drawKinds[i] = how;
         count += listCounts(how);
     }

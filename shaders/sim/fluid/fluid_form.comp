@@ -16,9 +16,12 @@ const float FLATTEST = 0.4, LONGEST = 2.0;
 /// Sum of weights up to which a particle is drawn as a drop of its own, and from which as a part of the fluid; and the
 /// radius of such a drop over that of a part.
 const float ALONE = 2.0, AMONG = 7.0, DROP = 0.86;
+/// Deep in the fluid, 1.5 rest distances from its surface or more, the sum of weights is 20 to 23, and their mean place
+/// is not further from the particle than this [reaches].
+const float MANY = 18.0, MIDDLE = 0.02;
 
-/// The covariance of the neighbours' places, over the squared reach, and the sum of their weights.
-mat3 spreadAround(uint k, uint count, out float weights)
+/// The covariance of the neighbours' places, over the squared reach, the sum of their weights, and their mean place.
+mat3 spreadAround(uint k, uint count, out float weights, out vec3 mean)
 {
     vec3 x = fetchSlotPosition(k).position, sum = vec3(0), squares = vec3(0), mixed = vec3(0);
     float inverseReach = 1.0 / sim.fluidReach;
@@ -35,7 +38,7 @@ mat3 spreadAround(uint k, uint count, out float weights)
             mixed += weight * r.xxy * r.yzz;
         }
     } while (nextTexel(texels));
-    vec3 mean = sum / weights;
+    mean = sum / weights;
     return symmetricMatrix(squares / weights, mixed / weights) - outerProduct(mean, mean);
 }
 
@@ -65,7 +68,12 @@ void main()
     uint i = fetchSlotParticle(k);
     if (!isFluid(i)) return;
     float weights;
-    mat3 spread = spreadAround(k, fetchFluidCounts(k, i).fluids, weights);
+    vec3 mean;
+    mat3 spread = spreadAround(k, fetchFluidCounts(k, i).fluids, weights, mean);
+    if (weights > MANY && dot(mean, mean) < MIDDLE * MIDDLE) {
+        fluidForms[i] = INNER;
+        return;
+    }
     float among = smoothstep(ALONE, AMONG, weights);
     // Rounder where few neighbours say little.
     spread += (0.002 + 0.05 * (1.0 - among)) * mat3(1.0);

@@ -17,7 +17,7 @@ public:
     /// Slots must be those that the step has listed.
     void endStep(Recorder& recorder) const { perSlot(recorder, form_); }
 
-    Buffer<uint32_t> fluidForms;  ///< Per particle: packSpheroid() (math/spheroid.glsl); 0: a ball.
+    Buffer<uint32_t> fluidForms;  ///< Per particle: packSpheroid() (math/spheroid.glsl); 0, INNER: balls.
 
 private:
     Pass form_{*this, "fluid/fluid_form"};

@@ -7,7 +7,7 @@ namespace knuckle {
 
 Spheroid unpackSpheroid(uint32_t word)
 {
-    if (word == 0) return {};
+    if (word <= INNER) return {};
     const double x = (word & 511) / 255.5 - 1.0, y = (word >> 9 & 511) / 255.5 - 1.0;
     Eigen::Vector3d axis(x, y, 1.0 - std::abs(x) - std::abs(y));
     const double fold = std::max(-axis.z(), 0.0);
