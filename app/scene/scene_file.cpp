@@ -49,10 +49,19 @@ std::optional<FinestActor> finestActor(SceneFiles& files, const Json& objects)
     return finest;
 }
 
-/// A longer film of the same scene has the same hash, unless its camera goes around once in it.
+/// Whether a camera goes around once in the whole film.
+bool turns(const Json& root)
+{
+    bool any = root["render"]["camera"] == TURNTABLE;
+    for (const Json& shot : root["shots"])
+        for (const char* field : {"camera", "inset", "beside"}) any = any || shot[field] == TURNTABLE;
+    return any;
+}
+
+/// A longer film of the same scene has the same hash, unless a camera's speed depends on it.
 uint64_t hashOf(Json root)
 {
-    if (root["render"]["camera"] != "turntable") root.erase("duration");
+    if (!turns(root)) root.erase("duration");
     root.erase("description");
     FnvHash hash;
     hash.add(std::string_view(root.dump()));

@@ -12,7 +12,6 @@ namespace knuckle {
 namespace {
 
 constexpr const char* AUTOMATIC = "auto";
-constexpr const char* TURNTABLE = "turntable";
 constexpr size_t NAMES_TOLD = 12;
 
 std::vector<std::string> shortened(std::vector<std::string> names)

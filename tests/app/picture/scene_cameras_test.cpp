@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/scene/picture/name_pattern.h"
+#include "app/scene/picture/unseen_parts.h"
 #include "tests/app/one_object_scene.h"
 
 namespace knuckle::test {
@@ -123,6 +124,30 @@ TEST(Cameras, FrameUnlessTheyOnlyLook)
     EXPECT_FALSE(looks.automatic);
 }
 
+TEST(Cameras, OfEverySceneAreThoseOfShots)
+{
+    const RenderSettings picture =
+        pictureOf(R"("duration": 4, "camera": { "position": [1, 2, 3] },
+                     "shots": [{ "from": 0, "camera": "auto" }, { "from": 1, "camera": "turntable", "inset": "auto" }])");
+    ASSERT_EQ(picture.shots.size(), 2u);
+    EXPECT_TRUE(picture.shots[0].camera.automatic);
+    EXPECT_EQ(picture.shots[1].camera.kind, CameraKind::Orbit);
+    EXPECT_EQ(picture.shots[1].camera.orbitSpeed, 90.0f);
+    EXPECT_TRUE(picture.shots[1].other.automatic);
+}
+
+TEST(Cameras, OfShotsThatNobodySeesAreTold)
+{
+    RenderSettings picture;
+    picture.shots = {{.from = 0.0}, {.from = 2.0}, {.from = 3.5}};
+    picture.overlay.captions = {{.text = "seen", .from = 1.9f}, {.text = "late", .from = 2.5f}};
+    EXPECT_EQ(unseenParts(picture, 2.0),
+              (std::vector<std::string>{"/shots/1/from is 2 s, when the film of 2 s is over: it is not seen.",
+                                        "/shots/2/from is 3.5 s, when the film of 2 s is over: it is not seen.",
+                                        "/captions/1/from is 2.5 s, when the film of 2 s is over: it is not seen."}));
+    EXPECT_TRUE(unseenParts(picture, 4.0).empty());
+}
+
 TEST(Cameras, AreRefusedInOneLine)
 {
     const std::pair<const char*, const char*> wrong[] = {
@@ -131,7 +156,7 @@ TEST(Cameras, AreRefusedInOneLine)
         {R"("cameras": { "close": {}, "wide": {} }, "shots": [{ "from": 0, "camera": "cloze" }])",
          "/shots/0/camera: there is no camera \"cloze\"; did you mean \"close\"?"},
         {R"("render": { "camera": "x" }, "cameras": { "close": {}, "wide": {} })",
-         "/render/camera: there is no camera \"x\"; known: close, wide"},
+         "/render/camera: there is no camera \"x\"; known: auto, close, turntable, wide"},
         {R"("cameras": { "close": {} }, "shots": [{ "from": 0, "beside": "closer" }])",
          "/shots/0/beside: there is no camera \"closer\"; did you mean \"close\"?"},
         {R"("cameras": { "close": {} }, "shots": [{ "from": 0, "beside": "close", "inset": "close" }])",
