@@ -126,9 +126,9 @@ TEST(Cameras, FrameUnlessTheyOnlyLook)
 
 TEST(Cameras, OfEverySceneAreThoseOfShots)
 {
-    const RenderSettings picture =
-        pictureOf(R"("duration": 4, "camera": { "position": [1, 2, 3] },
-                     "shots": [{ "from": 0, "camera": "auto" }, { "from": 1, "camera": "turntable", "inset": "auto" }])");
+    const RenderSettings picture = pictureOf(
+        R"("duration": 4, "camera": { "position": [1, 2, 3] }, "shots": [{ "from": 0, "camera": "auto" },
+                     { "from": 1, "camera": "turntable", "inset": "auto" }])");
     ASSERT_EQ(picture.shots.size(), 2u);
     EXPECT_TRUE(picture.shots[0].camera.automatic);
     EXPECT_EQ(picture.shots[1].camera.kind, CameraKind::Orbit);
