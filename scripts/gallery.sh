@@ -15,7 +15,7 @@ times=$pictures/times
 first=(ballpit wrecking jetty rapids dominoes torn waterfall dance)
 
 # When the still is taken, as percent of the film, where that is not 40.
-declare -A moment=([ballpit]=80 [catch]=18 [chain]=20 [drape]=25 [hit]=15 [ragdolls]=14 [stroll]=52 [struck]=21 [troupe]=54)
+declare -A moment=([ballpit]=80 [catch]=18 [chain]=38 [drape]=25 [hit]=15 [ragdolls]=30 [stroll]=52 [struck]=21 [troupe]=54)
 
 # The films have 12 frames a second; 120 frames at most, so those that last longer than 10 seconds run faster.
 rate=12

@@ -136,6 +136,26 @@ TEST(Cameras, OfEverySceneAreThoseOfShots)
     EXPECT_TRUE(picture.shots[1].other.automatic);
 }
 
+/// A longer film goes on from the states of a shorter one, unless they show something else.
+TEST(Cameras, ThatTurnDependOnTheFilmsLength)
+{
+    const auto hashOf = [](const std::string& shots, double duration) {
+        const TempFolder folder;
+        return loadScene(
+                   folder.write("scene.json", "{" + shots + R"("objects": [{ "type": "rigid", "shape": "box" }]})"),
+                   {{"duration", duration}})
+            .documentHash;
+    };
+    for (const std::string field : {"camera", "inset", "beside"}) {
+        const std::string shots = R"("shots": [{ "from": 0, ")" + field + R"(": "NAME" }], )";
+        const auto with = [&](const std::string& name) {
+            return std::string(shots).replace(shots.find("NAME"), 4, name);
+        };
+        EXPECT_NE(hashOf(with("turntable"), 2.0), hashOf(with("turntable"), 3.0)) << field;
+        EXPECT_EQ(hashOf(with("auto"), 2.0), hashOf(with("auto"), 3.0)) << field;
+    }
+}
+
 TEST(Cameras, OfShotsThatNobodySeesAreTold)
 {
     RenderSettings picture;
