@@ -45,8 +45,10 @@ std::vector<uint32_t> materialsOf(const World& world, const RenderSettings& sett
 
 bool drawsFluids(const World& world, const RenderSettings& settings, DrawnAs as)
 {
-    const auto isSo = [&](const Particle& p) { return drawnAs(world.materials[p.material], settings) == as; };
-    return std::any_of(world.particles.end() - world.fluidCount, world.particles.end(), isSo);
+    const std::vector<uint32_t> unseen = unseenBits(world);
+    for (size_t i = world.particles.size() - world.fluidCount; i < world.particles.size(); ++i)
+        if (!hasBit(unseen, i) && drawnAs(world.materials[world.particles[i].material], settings) == as) return true;
+    return false;
 }
 
 bool fluidsEmit(const World& world, const RenderSettings& settings)

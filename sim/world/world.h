@@ -141,6 +141,7 @@ struct Object {
 struct LooseGroup {
     std::string name;
     uint32_t first = 0, end = 0;  ///< Particles.
+    bool visible = true;
 };
 
 /// An obstacle: it stays in place, or moves as World::colliderMotions say, and answers to nothing.

@@ -28,7 +28,8 @@ void addFluid(const ObjectEntry& entry)
         for (Vector3f& position : positions) position = entry.poses[copy].apply(position);
         std::erase_if(positions, [&](const Vector3f& x) { return isInCollider(builder.world(), x); });
         if (positions.empty()) entry.fail("", "all of it is inside colliders; move it, or make it larger");
-        builder.addFluid(positions, entry.velocity, entry.material, entry.copyName(copy));
+        builder.addFluid(positions, entry.velocity, entry.material, entry.copyName(copy),
+                         entry.json.value("visible", true));
     }
 }
 

@@ -18,7 +18,7 @@ void main()
     float texel = 2.0 * view.lightCentre.w / DIMS_TEXELS, spacing = frame.fluidRadius / SURFACE_RADIUS;
     float radius = max(SPREAD * pow(float(DIMS_STRIDE), 1.0 / 3.0) * drawnRadius(particle), texel);
     uint material = texelFetch(fluidMaterials, int(particle - frame.solidCount)).x;
-    FluidLook look = fetchFluidLook(material == NO_SURFACE ? 0u : material);
+    FluidLook look = fetchFluidLook(material);
     // The frag's profile over a disc adds up to the space of these particles.
     float chord = float(DIMS_STRIDE) * spacing * spacing * spacing * 3.0 / (3.14159 * radius * radius);
     dims = vec4(look.absorption + SCATTERED * look.scattering, 1.0) * chord;

@@ -31,7 +31,7 @@ void main()
     vec4 bounds = sphereBounds(centre, radius, vec2(1.0 / aspect, 1.0) / frame.tanHalfFov);
     vec2 size = 0.25 * (bounds.zw - bounds.xy) * vec2(frame.width, frame.height);
     uint material = texelFetch(fluidMaterials, gl_VertexID).x;
-    FluidLook look = fetchFluidLook(material == NO_SURFACE ? 0u : material);
+    FluidLook look = fetchFluidLook(material);
     // The frag's profile over a disc adds up to the space of a particle.
     float spacing = frame.fluidRadius / SURFACE_RADIUS;
     float chord = spacing * spacing * spacing * 3.0 / (3.14159 * radius * radius);

@@ -79,9 +79,10 @@ Particle FluidBuilder::fluidParticle(uint32_t material) const
 }
 
 void FluidBuilder::addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material,
-                            std::string name)
+                            std::string name, bool visible)
 {
-    fluidGroups_.push_back({std::move(name), fluidCount(), fluidCount() + static_cast<uint32_t>(positions.size())});
+    const uint32_t first = fluidCount();
+    fluidGroups_.push_back({std::move(name), first, first + static_cast<uint32_t>(positions.size()), visible});
     requireFluid("addFluid", material);
     Particle particle = fluidParticle(material);
     particle.velocity = velocity;
@@ -110,6 +111,7 @@ void FluidBuilder::placeFilled()
         for (const Particle& p : own)
             if (hasRoom(world_, solids, p.position, apart)) placed.push_back(p);
         group.end = first + static_cast<uint32_t>(placed.size());
+        if (!group.visible) hideParticles(group.first, group.end);
         world_.looseGroups.push_back(std::move(group));
     }
     fluid_ = std::move(placed);

@@ -10,9 +10,10 @@ namespace knuckle {
 class FluidBuilder : public virtual WorldDraft {
 public:
     /// Adds fluid particles of a fluid material. They come after all others, whenever they are added; build() leaves
-    /// out those that overlap other particles. @param name of the object that they are, for World::looseGroups.
+    /// out those that overlap other particles. @param name, visible  of the object that they are, for
+    /// World::looseGroups and World::unseen.
     void addFluid(std::span<const Vector3f> positions, const Vector3f& velocity, uint32_t material,
-                  std::string name = {});
+                  std::string name = {}, bool visible = true);
     /// Sets the rest distance of fluids [diameters], 0.3 ... 0.6. Must be called before addFluid().
     void setFluidSpacing(float spacing);
     float fluidSpacing() const { return world_.fluidSpacing; }

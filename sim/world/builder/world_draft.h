@@ -19,7 +19,7 @@ public:
     float diameter() const { return world_.diameter(); }
     /// The mass of a particle of a material: density times diameter cubed [kg].
     float particleMass(uint32_t material) const;
-    /// Particles that are not drawn (World::unseen): those before fluids, from `first` to before `end`.
+    /// Particles that are not drawn (World::unseen): from `first` to before `end`.
     void hideParticles(uint32_t first, uint32_t end) { world_.unseen.push_back({first, end}); }
     /// The world built so far: particles are placed; links and assemblies do not exist before build().
     const World& world() const { return world_; }

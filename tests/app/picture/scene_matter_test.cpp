@@ -46,6 +46,26 @@ TEST(SceneMatter, IsDrawnAsItsOwnDrawOrItsMaterialSays)
     }
 }
 
+TEST(SceneMatter, OfFluidThatIsNotToBeSeenIsUnseen)
+{
+    const auto hidden = [](const std::string& more) {
+        const World world = worldOf(R"({ "type": "fluid", "shape": "box", "size": [0.2, 0.2, 0.2], "name": "seen",
+            "position": [0, 1, 0] }, { "type": "fluid", "shape": "sphere", "radius": 0.2, "position": [2, 1, 0])" +
+                                    more + R"( }, { "type": "rigid", "shape": "box", "position": [4, 1, 0] })");
+        const LooseGroup& last = world.looseGroups.back();
+        size_t own = 0, all = 0;
+        for (const ParticleRange& range : world.unseen) {
+            all += range.end - range.first;
+            if (range.first >= last.first && range.end <= last.end) own += range.end - range.first;
+        }
+        EXPECT_EQ(own, all);
+        EXPECT_TRUE(all == 0 || all == last.end - last.first);
+        return all > 0;
+    };
+    EXPECT_FALSE(hidden(""));
+    EXPECT_TRUE(hidden(R"(, "visible": false)"));
+}
+
 TEST(SceneMatter, WhatAnObjectDoesNotHaveIsTold)
 {
     EXPECT_EQ(complaintOf(with(ROPE, "surface")),

@@ -47,5 +47,23 @@ TEST(FluidInner, ParticlesAreLeftOutAndNobodySeesIt)
     EXPECT_EQ(drawn(world, settings, 0.0, formsBehind(0)).rgb, drawn(world, settings, 0.0, formsBehind(SIDE)).rgb);
 }
 
+TEST(FluidInner, FluidThatIsNotToBeSeenIsNotDrawn)
+{
+    World world = block(), dry = world;
+    dry.particles.clear();
+    dry.fluidCount = 0;
+    const RenderSettings settings = lookFrom({2.2f, 1.9f, 2.6f}, {0.4f, 0.3f, 0.4f}, 200, 150);
+    const Image without = drawn(dry, settings);
+    EXPECT_NE(drawn(world, settings).rgb, without.rgb);
+    const auto count = static_cast<uint32_t>(world.particles.size());
+    world.unseen = {{0, count}};
+    EXPECT_EQ(drawn(world, settings).rgb, without.rgb);
+    world.unseen = {{0, count / 2}};
+    EXPECT_NE(drawn(world, settings).rgb, without.rgb) << "half of it";
+    world.materials[0].look.drawn = DrawnAs::Particles;
+    world.unseen = {{0, count}};
+    EXPECT_EQ(drawn(world, settings).rgb, without.rgb) << "as spheres";
+}
+
 }  // namespace
 }  // namespace knuckle::test
