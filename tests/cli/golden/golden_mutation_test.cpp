@@ -32,8 +32,8 @@ protected:
     /// Does not draw some particles.
     RunResult checkWithout(const std::string& golden, uint32_t begin, uint32_t end) const
     {
-        return checkShader(golden, "--pictures", "render/spheres/sphere_cull.comp", "uint how = isShown(i, position) ?",
-                           fmt::format("uint how = (i < {}u || i >= {}u) && isShown(i, position) ?", begin, end));
+        return checkShader(golden, "--pictures", "render/spheres/sphere_cull.comp", "bool shown = isShown(i, position)",
+                           fmt::format("bool shown = (i < {}u || i >= {}u) && isShown(i, position)", begin, end));
     }
     static void expectDrawing(const RunResult& result, const std::string& what)
     {
