@@ -12,8 +12,8 @@
 #include "app/scene/colliders/scene_colliders.h"
 #include "app/scene/matter/scene_emitters.h"
 #include "app/scene/matter/soft_limits.h"
+#include "app/scene/picture/late_parts.h"
 #include "app/scene/picture/scene_picture.h"
-#include "app/scene/picture/unseen_parts.h"
 #include "app/scene/scene_context.h"
 #include "app/scene/scene_document.h"
 #include "app/scene/scene_forces.h"
@@ -175,7 +175,7 @@ Scene sceneOf(const SceneDocument& document, bool drawn)
                         scene.world.settings.substeps));
     for (std::string& limit : softLimits(scene.world)) context.warnings.push_back(std::move(limit));
     scene.render = readPicture(document.file, scene.world, namedParticles(context, scene.world), files);
-    std::ranges::move(unseenParts(scene.render, scene.duration), std::back_inserter(context.notes));
+    std::ranges::move(lateParts(scene.render, scene.duration), std::back_inserter(context.notes));
     scene.world.shown = keptFor(scene.render);
     scene.files = filesOf(context);
     if (root.contains("start")) {

@@ -41,23 +41,27 @@ std::vector<uint32_t> materialsOf(const World& world, const RenderSettings& sett
     return materials;
 }
 
+/// Whether any particle of fluid that is to be seen is of such a material.
+template <typename Test>
+bool anySeenFluid(const World& world, Test test)
+{
+    const std::vector<uint32_t> unseen = unseenBits(world);
+    for (size_t i = world.particles.size() - world.fluidCount; i < world.particles.size(); ++i)
+        if (!hasBit(unseen, i) && test(world.materials[world.particles[i].material])) return true;
+    return false;
+}
+
 }  // namespace
 
 bool drawsFluids(const World& world, const RenderSettings& settings, DrawnAs as)
 {
-    const std::vector<uint32_t> unseen = unseenBits(world);
-    for (size_t i = world.particles.size() - world.fluidCount; i < world.particles.size(); ++i)
-        if (!hasBit(unseen, i) && drawnAs(world.materials[world.particles[i].material], settings) == as) return true;
-    return false;
+    return anySeenFluid(world, [&](const Material& m) { return drawnAs(m, settings) == as; });
 }
 
 bool fluidsEmit(const World& world, const RenderSettings& settings)
 {
-    const auto emits = [&](const Particle& p) {
-        const Material& material = world.materials[p.material];
-        return material.look.emission > 0.0f && drawnAs(material, settings) == DrawnAs::Surface;
-    };
-    return std::any_of(world.particles.end() - world.fluidCount, world.particles.end(), emits);
+    return anySeenFluid(
+        world, [&](const Material& m) { return m.look.emission > 0.0f && drawnAs(m, settings) == DrawnAs::Surface; });
 }
 
 FluidLooks::FluidLooks(BufferTable& table, const World& world, const RenderSettings& settings)

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "app/scene/picture/late_parts.h"
 #include "app/scene/picture/name_pattern.h"
-#include "app/scene/picture/unseen_parts.h"
 #include "tests/app/one_object_scene.h"
 
 namespace knuckle::test {
@@ -161,11 +161,11 @@ TEST(Cameras, OfShotsThatNobodySeesAreTold)
     RenderSettings picture;
     picture.shots = {{.from = 0.0}, {.from = 2.0}, {.from = 3.5}};
     picture.overlay.captions = {{.text = "seen", .from = 1.9f}, {.text = "late", .from = 2.5f}};
-    EXPECT_EQ(unseenParts(picture, 2.0),
+    EXPECT_EQ(lateParts(picture, 2.0),
               (std::vector<std::string>{"/shots/1/from is 2 s, when the film of 2 s is over: it is not seen.",
                                         "/shots/2/from is 3.5 s, when the film of 2 s is over: it is not seen.",
                                         "/captions/1/from is 2.5 s, when the film of 2 s is over: it is not seen."}));
-    EXPECT_TRUE(unseenParts(picture, 4.0).empty());
+    EXPECT_TRUE(lateParts(picture, 4.0).empty());
 }
 
 TEST(Cameras, AreRefusedInOneLine)

@@ -8,6 +8,6 @@
 namespace knuckle {
 
 /// Shots and captions that begin when a film of `duration` seconds is over: a sentence for each.
-std::vector<std::string> unseenParts(const RenderSettings& render, double duration);
+std::vector<std::string> lateParts(const RenderSettings& render, double duration);
 
 }  // namespace knuckle

@@ -1,10 +1,10 @@
-#include "app/scene/picture/unseen_parts.h"
+#include "app/scene/picture/late_parts.h"
 
 #include <fmt/format.h>
 
 namespace knuckle {
 
-std::vector<std::string> unseenParts(const RenderSettings& render, double duration)
+std::vector<std::string> lateParts(const RenderSettings& render, double duration)
 {
     std::vector<std::string> told;
     const auto tell = [&](const char* list, size_t index, double from) {
